@@ -47,7 +47,9 @@ MatrixXd heights(const Robot& robot, const Motion& motion, double ground_m) {
   for_each_point(robot, motion, false,
                  [&](Index i, Index sample, const dynamics::TreeState& state,
                      const dynamics::BodyPoint& point) {
-                   heights_m(i, sample) = dynamics::point_position_m(state, point).z() - ground_m;
+                   const Eigen::Vector3d place_m = dynamics::point_position_m(state, point);
+                   heights_m(i, sample) =
+                       place_m.z() - ground_m - motion.ground.height_m(place_m.x());
                  });
   return heights_m;
 }

@@ -9,6 +9,7 @@
 
 #include "dynamics/tree_state.hpp"
 #include "robot/model/robot.hpp"
+#include "simulation/contact/ground_profile.hpp"
 
 namespace torquewright::hopper {
 
@@ -22,6 +23,7 @@ enum class EngineOutcome {
 
 struct EngineOptions {
   double ground_height_m = 0.0;
+  simulation::GroundProfile profile = {};  ///< Over that height.
   /// How soft the ground and the ends of joints' ranges are where the engine knows soft contact
   /// alone: no less than two of its steps is taken. An engine of rigid contact has no use for it.
   /// At 1 ms and steps of 0.5 ms impulses of impacts are within 1 % of rigid ones; softer ground
@@ -29,10 +31,10 @@ struct EngineOptions {
   double contact_time_constant_s = 0.001;
 };
 
-/// A robot over flat ground, with its rotors and mechanisms, that moves on by steps of time. It
-/// knows no motor and no controller: forces come from outside and are held over a step. Vectors as
-/// in hopper::WholeBody of the same robot: positions and velocities of the tree, forces per
-/// velocity. One object serves one thread.
+/// A robot over ground that is level between edges, with its rotors and mechanisms, that moves on
+/// by steps of time. It knows no motor and no controller: forces come from outside and are held
+/// over a step. Vectors as in hopper::WholeBody of the same robot: positions and velocities of the
+/// tree, forces per velocity. One object serves one thread.
 class Engine {
  public:
   virtual ~Engine() = default;

@@ -21,6 +21,10 @@ using Eigen::Index;
 
 /// MuJoCo's contact needs a ball; of this size it is a point to any figure.
 constexpr double kPoint_m = 1e-9;
+constexpr double kTerrace_m = 100.0;  // how far raised ground goes on: further than any run
+/// Half the height of raised ground. What sinks into a box leaves it by the nearest face, which is
+/// its top.
+constexpr double kDeep_m = 10.0;
 constexpr double kBodyFriction = 0.6;  // as the own engine has it
 /// Share of the constraint's force in the acceleration, at the surface and in it: nearly rigid.
 constexpr std::array<mjtNum, mjNIMP> kStiff{0.99, 0.999, 0.001, 0.5, 2.0};
@@ -54,18 +58,43 @@ void require_no_spin(const Robot& robot) {
   }
 }
 
+double lowest_ground_m(const EngineOptions& options) {
+  const std::vector<double>& heights_m = options.profile.heights_m;
+  if (heights_m.empty()) return options.ground_height_m;
+  return options.ground_height_m + *std::min_element(heights_m.begin(), heights_m.end());
+}
+
+/// Boxes on the lowest ground where it is higher. None of a robot's own geoms is a box.
+std::string terraces_of(const EngineOptions& options) {
+  const auto& [edges_m, heights_m] = options.profile;
+  const double lowest_m = lowest_ground_m(options);
+  std::string text;
+  for (std::size_t i = 0; i < heights_m.size(); ++i) {
+    const double top_m = options.ground_height_m + heights_m[i];
+    if (!(top_m > lowest_m)) continue;
+    const double from_m = i > 0 ? edges_m[i - 1] : edges_m.front() - kTerrace_m;
+    const double to_m = i < edges_m.size() ? edges_m[i] : edges_m.back() + kTerrace_m;
+    text += fmt::format("<geom type=\"box\" pos=\"{} 0 {}\" size=\"{} {} {}\" friction=\"0 0 0\"/>",
+                        0.5 * (from_m + to_m), top_m - kDeep_m, 0.5 * (to_m - from_m), kTerrace_m,
+                        kDeep_m);
+  }
+  return text;
+}
+
 }  // namespace
 
 MujocoModel::MujocoModel(const Robot& robot, const EngineOptions& options) {
   require_no_spin(robot);
-  load(robot);
+  load(robot, options);
   set_options(options);
   set_geoms(robot, options);
   find_rotor_entries(robot);
 }
 
-void MujocoModel::load(const Robot& robot) {
-  model_.reset(compiled(mjcf_of(robot, {.ground = true, .collisions = true}).text));
+void MujocoModel::load(const Robot& robot, const EngineOptions& options) {
+  std::string text = mjcf_of(robot, {.ground = true, .collisions = true}).text;
+  text.insert(text.rfind("</worldbody>"), terraces_of(options));
+  model_.reset(compiled(text));
   data_.reset(mj_makeData(model_.get()));
   number(robot);
 }
@@ -130,9 +159,11 @@ void MujocoModel::set_geoms(const Robot& robot, const EngineOptions& options) {
   }
   for (int geom = 0; geom < model_->ngeom; ++geom) {
     if (model_->geom_type[geom] == mjGEOM_PLANE) {
-      model_->geom_pos[3 * geom + 2] = options.ground_height_m;
+      model_->geom_pos[3 * geom + 2] = lowest_ground_m(options);
       model_->geom_sameframe[geom] = 0;  // else its place is not looked at
-    } else if (contact_of(geom) < 0) {   // a collision sphere: with the ground, not with another
+    } else if (contact_of(geom) < 0 &&
+               model_->geom_type[geom] !=
+                   mjGEOM_BOX) {  // a collision sphere: with the ground, not with another
       model_->geom_contype[geom] = 0;
       model_->geom_conaffinity[geom] = 1;
       model_->geom_friction[3 * geom] = kBodyFriction;

@@ -37,7 +37,7 @@ class MujocoModel {
   const std::vector<MassEntry>& rotor_entries() const { return rotor_entries_; }
 
  private:
-  void load(const Robot& robot);
+  void load(const Robot& robot, const EngineOptions& options);
   void number(const Robot& robot);
   void set_options(const EngineOptions& options);
   void set_geoms(const Robot& robot, const EngineOptions& options);

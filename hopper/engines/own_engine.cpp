@@ -46,6 +46,7 @@ simulation::Obstacles obstacles_of(const Robot& robot, const EngineOptions& opti
   obstacles.stops = simulation::joint_stops(robot.tree);
   obstacles.frictions = simulation::joint_frictions(robot.tree);
   obstacles.ground_height_m = options.ground_height_m;
+  obstacles.profile = options.profile;
   return obstacles;
 }
 

@@ -7,6 +7,7 @@
 
 #include "actuator/trajectory/clock.hpp"
 #include "robot/model/robot.hpp"
+#include "simulation/contact/ground_profile.hpp"
 
 namespace torquewright::hopper {
 
@@ -62,7 +63,8 @@ struct Motion {
   /// Samples whose velocity does not continue that of the sample before: an impact lies between.
   std::vector<Eigen::Index> breaks;
   std::vector<UnwrappedAngle> unwrapped;
-  actuator::Clock clock;  ///< Clock of the file; `times_s` count from its origin.
+  simulation::GroundProfile ground;  ///< What it moves over, if that is not flat.
+  actuator::Clock clock;             ///< Clock of the file; `times_s` count from its origin.
   std::string file;
   std::string sha256;
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "hopper/motion/channel.hpp"
+#include "hopper/motion/ground_line.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -67,9 +68,9 @@ std::vector<Channel> columns_of(const Robot& robot, const Motion& motion) {
 
 std::string motion_csv(const Robot& robot, const Motion& motion) {
   const std::vector<Channel> columns = columns_of(robot, motion);
-  std::string text;
+  std::string text = ground_line(motion.ground);
   for (const Channel& column : columns) {
-    text += (text.empty() ? "" : ",") + column.header;
+    text += (&column == &columns.front() ? "" : ",") + column.header;
   }
   auto end = std::back_inserter(text);
   for (Index sample = 0; sample < motion.samples(); ++sample) {

@@ -10,6 +10,7 @@
 #include "actuator/trajectory/angle_unwrap.hpp"
 #include "actuator/trajectory/columns.hpp"
 #include "actuator/trajectory/one_time.hpp"
+#include "hopper/motion/ground_line.hpp"
 #include "hopper/motion/mapping_spec.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "io/faults/refusal.hpp"
@@ -60,6 +61,7 @@ class MotionReader {
                           : "holds a header and no rows");
     }
     store_tables();
+    motion_.ground = read_ground(csv_.comments(), csv_.file());
     motion_.file = csv_.file();
     motion_.sha256 = csv_.sha256();
     return std::move(motion_);

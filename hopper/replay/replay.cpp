@@ -27,7 +27,7 @@ constexpr double kAllowedDepth_m = 1e-3;
 void require_start_above_ground(const Robot& robot, const Motion& motion, double ground_m) {
   dynamics::TreeState state(robot.tree);
   state.set(motion.positions.col(0), motion.velocities.col(0));
-  const auto point = buried(robot, state, ground_m, kAllowedDepth_m);
+  const auto point = buried(robot, state, {ground_m, motion.ground}, kAllowedDepth_m);
   if (!point) return;
   io::refuse(motion.file,
              fmt::format("at its first sample (t = {} s) {} is {:.3g} m below the ground at z "
@@ -93,11 +93,20 @@ struct Variation {
 
 }  // namespace
 
+namespace {
+
+ReplayOptions over_ground_of(const Motion& motion, ReplayOptions options) {
+  options.run.profile = motion.ground;
+  return options;
+}
+
+}  // namespace
+
 struct Replay::Ready {
   Ready(const Robot& of, const Motion& motion, const HopperReport& report,
         const ReplayOptions& with)
       : robot(of),
-        options(with),
+        options(over_ground_of(motion, with)),
         reference(of, motion, report.contacts, report.torques_Nm),
         flights(flights_of(reference, report.flights)),
         controller(with.controller->prepare(of, reference, tracking_options(with))) {}
@@ -111,6 +120,7 @@ struct Replay::Ready {
   ReplayedRun run(const Robot& of, const Variation& variation, const Watching& watching) const {
     EngineOptions on = options.engine_options;
     on.ground_height_m = variation.run.ground_height_m;
+    on.profile = variation.run.profile;
     const Robot moved = without_free_rotors(of);
     const auto engine = options.engine->make(moved, on);
     const auto follows = controller->make();

@@ -126,7 +126,9 @@ class Run {
       return false;
     }
     note_row();
-    const auto fall = fallen(parts_.robot, body_.state(), options_.ground_height_m);
+    const WalkedGround ground{options_.ground_height_m, options_.profile};
+    auto fall = fallen(parts_.robot, body_.state(), ground);
+    if (!fall) fall = struck(parts_.robot, body_.state(), ground);
     if (fall) stop(RunEnd::kFell, *fall);
     const long controls = step_ / options_.steps_per_control;
     if (parts_.on_progress && controls % kControlsBetweenProgress == 0) {

@@ -21,6 +21,7 @@ struct RunOptions {
   int latency_steps = 0;  ///< Delay from a look at the robot to the torque that answers it.
   double stand_s = 1.0;   ///< Time for which the robot is watched after the motion's end.
   double ground_height_m = 0.0;
+  simulation::GroundProfile profile = {};  ///< Over that height.
   /// Each acts for the step of the engine in which its time falls.
   std::vector<Push> pushes = {};
 };

@@ -18,6 +18,7 @@ namespace torquewright::io {
 namespace {
 
 constexpr std::size_t kMostColumns = 10000;
+constexpr std::size_t kMostComments = 1000;  // that are kept, before the header
 constexpr std::size_t kLongestCell = 40;
 
 std::string_view trimmed(std::string_view text) {
@@ -78,6 +79,7 @@ CsvReader::CsvReader(const std::filesystem::path& file, CutEnd cut_end)
     if (!lines_.next(line)) {
       throw SpecError({{lines_.file(), "", "is empty; the first line must name the columns"}});
     }
+    if (line.starts_with('#') && comments_.size() < kMostComments) comments_.emplace_back(line);
   } while (line.starts_with('#') || trimmed(line).empty());
   line_ = lines_.line_number();
   check_encoding(line);

@@ -29,6 +29,8 @@ class CsvReader {
   CsvReader(const std::filesystem::path& file, std::vector<std::string> names);
 
   const std::vector<std::string>& header() const { return header_; }
+  /// The lines that start with # before the header, in order, as they stand; the first 1000.
+  const std::vector<std::string>& comments() const { return comments_; }
   std::optional<std::size_t> find(std::string_view name) const;
 
   /// Goes to the next row; false at the end. Throws for a row of another length than the header,
@@ -69,6 +71,7 @@ class CsvReader {
 
   LineReader lines_;
   std::vector<std::string> header_;
+  std::vector<std::string> comments_;
   std::vector<std::string_view> cells_;  ///< Of the present row, trimmed, without quotes.
   CutEnd cut_end_;
   std::size_t line_ = 0, cut_line_ = 0;

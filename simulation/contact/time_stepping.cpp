@@ -116,8 +116,9 @@ void TimeStepping::find_active() {
   active_.clear();
   for (std::size_t i = 0; i < obstacles_.points.size(); ++i) {
     const GroundPoint& point = obstacles_.points[i];
-    const double height_m = dynamics::point_position_m(state, point.point).z() - point.radius_m;
-    if (height_m <= obstacles_.ground_height_m) active_.push_back(i);
+    const Eigen::Vector3d place_m = dynamics::point_position_m(state, point.point);
+    const double ground_m = obstacles_.ground_height_m + obstacles_.profile.height_m(place_m.x());
+    if (place_m.z() - point.radius_m <= ground_m) active_.push_back(i);
   }
   active_stops_.clear();
   const Index extra = middle_.size() - jump_.size();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "simulation/contact/contact_impulses.hpp"
+#include "simulation/contact/ground_profile.hpp"
 #include "simulation/contact/moving_bodies.hpp"
 #include "simulation/contact/obstacles.hpp"
 
@@ -17,6 +18,8 @@ struct Obstacles {
   std::vector<JointStop> stops = {};
   std::vector<JointFriction> frictions = {};
   double ground_height_m = 0.0;
+  /// Over that height. Its faces at the edges stop nothing: only what comes from above is met.
+  GroundProfile profile = {};
 };
 
 /// Rigid bodies over rigid ground, step by step: Moreau's midpoint scheme, in which velocities jump

@@ -21,6 +21,7 @@ using command_line::Option;
 using Says = std::function<void(Option option)>;
 
 constexpr std::int64_t kGreatestSeed = 4294967295;
+constexpr std::int64_t kMostRepeats = 12;  // one programme holds all: a minute or two
 
 template <typename Value>
 std::optional<StatedValue> unless_usual(const Value& value, const Value& usual) {
@@ -87,8 +88,23 @@ Options task_options() {
       option(
           group, "--stride", "stride_m", [](auto& of) -> auto& { return of.stride_m; },
           "How far a hop goes, in m; less than 0 is backwards",
-          [=](Option stride) {
-            stride.otherwise(fmt::format("{:g}", usual.stride_m)).between(-2.0, 2.0);
+          [](Option stride) { stride.otherwise("0.1, or what --speed makes").between(-2.0, 2.0); }),
+      option(
+          group, "--speed", "speed_m_s", [](auto& of) -> auto& { return of.speed_m_s; },
+          "Mean speed of hops in m/s, from the first take-off to the last touch-down; without "
+          "--stride it makes the stride; less than 0 is backwards",
+          [](Option speed) { speed.otherwise("free").between(-5.0, 5.0); }),
+      option(
+          group, "--repeat", "repeat", [](auto& of) -> auto& { return of.plan.repeat; },
+          "How many jumps or hops follow each other without a rest",
+          integer_between(1, kMostRepeats)),
+      option(
+          group, "--land-at", "land_at_m", [](auto& of) -> auto& { return of.plan.landings_m; },
+          "How much higher the ground is where a hop lands, in m, over that where the motion "
+          "begins; of several hops in order, the last for all that follow: 0,0.085 steps up at "
+          "the second",
+          [](Option heights) {
+            heights.otherwise("flat ground").separated_by_commas().between(-1.0, 1.0);
           }),
       option(
           group, "--limits", "", [](auto& of) -> auto& { return of.limits; },
@@ -173,6 +189,7 @@ Options duration_options() {
       longest("flight", "flight", &Longest::flight_s, 0.05, "a flight"),
       longest("landing", "landing", &Longest::landing_s, 0.02,
               "a phase between the flight and the last"),
+      longest("between", "between", &Longest::between_s, 0.05, "a stance between two flights"),
       longest("last", "last", &Longest::last_s, 0.4, "the last phase"),
   };
 }
@@ -182,7 +199,8 @@ Options search_options() {
   return {
       option(
           group, "--intervals", "intervals", [](auto& of) -> auto& { return of.plan.intervals; },
-          "How many intervals the first mesh has, all phases together", integer_between(10, 2000)),
+          "How many intervals the first mesh has, all phases of one flight together",
+          integer_between(10, 2000)),
       option(
           group, "--integration-error", "integration_error_rad",
           [](auto& of) -> auto& { return of.plan.most_error_rad; },

@@ -27,8 +27,8 @@ enum class FlipGroup {
 };
 
 /// What an option states, for who writes it down.
-using StatedValue =
-    std::variant<bool, int, double, std::uint64_t, std::string, std::vector<std::string>>;
+using StatedValue = std::variant<bool, int, double, std::uint64_t, std::string,
+                                 std::vector<std::string>, std::vector<double>>;
 
 /// One option of `hopper flip`: all that the command line, its help, a result and a sweep know of
 /// it. What it does to a plan stands where the plan reads its value.

@@ -19,6 +19,7 @@ struct HopperFlipRequest {
   std::string limits = "mor";
   std::optional<double> rise_m;         ///< Empty: the task's, if it has one.
   std::optional<double> stride_m;       ///< Likewise.
+  std::optional<double> speed_m_s;      ///< Empty: free.
   std::vector<std::string> objectives;  ///< NAME[=WEIGHT]; empty: the task's.
   hopper::PlanOptions plan;             ///< What has an option of its own.
   /// By part (hopper::margin_parts()); empty: the usual one, or what the reserve makes of it.

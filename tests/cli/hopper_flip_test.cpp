@@ -64,6 +64,18 @@ TEST_F(HopperFlip, RefusesDistancesThatItsTaskDoesNotHave) {
   expect_refusal({"--stride", "0.2"}, "only --task hop takes it");
   expect_refusal({"--task", "jump", "--stride", "0.2"}, "only --task hop takes it");
   expect_refusal({"--task", "jump", "--rise", "-0.1"}, "--rise");
+  expect_refusal({"--task", "jump", "--speed", "0.2"}, "--speed: only --task hop takes it");
+  expect_refusal({"--task", "jump", "--land-at", "0.1"}, "--land-at: only --task hop takes it");
+  expect_refusal({"--repeat", "2"}, "comes down from a single turn");
+  expect_refusal({"--task", "hop", "--repeat", "13"}, "--repeat");
+  expect_refusal({"--task", "hop", "--repeat", "2", "--contacts", "flat,flight,flat"},
+                 "both say how often it flies");
+  expect_refusal({"--task", "hop", "--speed", "0"}, "goes nowhere");
+  expect_refusal({"--task", "hop", "--speed", "9"}, "--speed");
+  expect_refusal({"--task", "hop", "--speed", "-0.5", "--stride", "0.2"},
+                 "does not go where a --stride of 0.2 m goes");
+  expect_refusal({"--task", "hop", "--land-at", "2"}, "--land-at");
+  expect_refusal({"--task", "hop", "--land-at", "0.085"}, "a --stride of 0.27 m or more");
 }
 
 TEST_F(HopperFlip, RefusesNumbersOutOfTheirRange) {

@@ -9,7 +9,11 @@
 namespace torquewright::hopper {
 namespace {
 
-constexpr double kClear_m = 0.03;     // bodies that must not touch
+constexpr double kClear_m = 0.03;  // bodies that must not touch
+// An edge of the ground is met as a ramp before it, of instants that lie some 4 mm apart.
+constexpr double kRamp_m = 0.03;
+constexpr double kCorner_m = 5e-3;    // between the ramp and the edge
+constexpr int kPiecesOfSole = 5;      // of a sole over an edge
 constexpr double kWeighty_kg = 0.01;  // bodies that are more than a frame
 
 /// Points and how high they are at least.
@@ -47,19 +51,76 @@ bool touches(const Site& site, std::size_t point) {
          (is_last && !site.is_last_phase() && touches_in(site.phase + 1));
 }
 
+/// Height of points over ground that rises ahead of its edges and falls behind them, so that it is
+/// nowhere lower than the ground itself. Variables: position in the frame (m). Rows: one a point.
+struct OverEdgesLaw {
+  PlaceLaw place;
+  simulation::GroundProfile ground;
+  double ramp_m = 0.0;  ///< How long a rise takes.
+
+  template <typename T>
+  T ground_at(const T& x_m) const {
+    T height_m(ground.heights_m.front());
+    for (std::size_t i = 0; i < ground.edges_x_m.size(); ++i) {
+      const double rise_m = ground.heights_m[i + 1] - ground.heights_m[i];
+      const double begin_m =
+          rise_m > 0.0 ? ground.edges_x_m[i] - ramp_m - kCorner_m : ground.edges_x_m[i] + kCorner_m;
+      const T share = (x_m - begin_m) * (1.0 / ramp_m);
+      if (!(share > T(0.0))) continue;
+      if (share > T(1.0)) {
+        height_m += rise_m;
+      } else {
+        height_m += share * share * share * (share * (share * 6.0 - 15.0) + 10.0) * rise_m;
+      }
+    }
+    return height_m;
+  }
+
+  template <typename T>
+  void operator()(const dynamics::VectorX<T>& x, dynamics::VectorX<T>& rows) const {
+    SagittalDynamicsOf<T>& body = place.scratch->on<T>();
+    body.set(place.frame, x, dynamics::VectorX<T>::Zero(x.size()));
+    for (std::size_t i = 0; i < place.points.size(); ++i) {
+      const auto at_m = body.place_m(place.points[i]);
+      rows[static_cast<Eigen::Index>(i)] = at_m[1] - ground_at<T>(at_m[0]);
+    }
+  }
+};
+
+/// The sole between its ends, which may meet an edge where neither of them does.
+void add_sole_between(const SagittalRobot& plane, Heights& heights) {
+  const dynamics::BodyPoint &rear = plane.sole.front().point, &front = plane.sole.back().point;
+  for (int i = 1; i < kPiecesOfSole; ++i) {
+    const double share = static_cast<double>(i) / kPiecesOfSole;
+    heights.add({rear.body, rear.p_B_m + share * (front.p_B_m - rear.p_B_m)}, 0.0);
+  }
+}
+
+void add_rows(const Site& site, Heights heights, optimization::Program& program) {
+  const std::size_t rows = heights.bounds.size();
+  PlaceLaw place{site.scratch, site.stance().frame(), std::move(heights.points)};
+  const std::string name = site.named(constraints::above_the_ground.name);
+  const std::vector<int> position = numbers_from(site.point().position, site.moving());
+  const std::vector<double> scales(rows, typical::kLength_m);
+  if (site.stance().is_flight() && !site.goal.ground.is_flat()) {
+    program.add_rows(jet_rows(name, position, std::move(heights.bounds), scales,
+                              OverEdgesLaw{std::move(place), site.goal.ground, kRamp_m}));
+    return;
+  }
+  for (optimization::Bounds& bounds : heights.bounds) bounds.lower += site.ground_m();
+  program.add_rows(jet_rows(name, position, std::move(heights.bounds), scales, std::move(place)));
+}
+
 void add(const Site& site, optimization::Program& program) {
   Heights heights;
   if (site.index % 2 == 0) add_bodies(site.model.plane, heights);
   for (std::size_t i = 0; i < site.model.plane.sole.size(); ++i) {
     if (!touches(site, i)) heights.add(site.model.plane.sole[i].point, 0.0);
   }
-  if (heights.points.empty()) return;
-  const std::size_t rows = heights.bounds.size();
-  program.add_rows(
-      jet_rows(site.named(constraints::above_the_ground.name),
-               numbers_from(site.point().position, site.moving()), std::move(heights.bounds),
-               std::vector<double>(rows, typical::kLength_m),
-               PlaceLaw{site.scratch, site.stance().frame(), std::move(heights.points)}));
+  if (site.stance().is_flight() && !site.goal.ground.is_flat()) {
+    add_sole_between(site.model.plane, heights);
+  }
+  if (!heights.points.empty()) add_rows(site, std::move(heights), program);
 }
 
 }  // namespace

@@ -28,11 +28,12 @@ void add(const Site& site, optimization::Program& program) {
   if (site.stance().holds_place()) return;
   const std::vector<dynamics::BodyPoint> points = new_points(site);
   if (points.empty()) return;
-  program.add_rows(jet_rows(site.named(constraints::feet_on_the_ground.name),
-                            numbers_from(site.variables().points.front().position, site.moving()),
-                            std::vector<optimization::Bounds>(points.size(), equal_to(0.0)),
-                            std::vector<double>(points.size(), typical::kLength_m),
-                            PlaceLaw{site.scratch, PlanFrame::kSole, points}));
+  program.add_rows(
+      jet_rows(site.named(constraints::feet_on_the_ground.name),
+               numbers_from(site.variables().points.front().position, site.moving()),
+               std::vector<optimization::Bounds>(points.size(), equal_to(site.ground_m())),
+               std::vector<double>(points.size(), typical::kLength_m),
+               PlaceLaw{site.scratch, PlanFrame::kSole, points}));
 }
 
 }  // namespace

@@ -29,6 +29,8 @@ struct Site {
   const PhaseVariables& variables() const { return phases[phase]; }
   /// The instant; where an interval is meant, the one that it begins with is points[2 * index].
   const PointVariables& point() const { return variables().points[index]; }
+  /// Height of the ground where the phase stands, or takes off.
+  double ground_m() const { return hopper::ground_m(goal, mesh, phase); }
   bool is_last_phase() const { return phase + 1 == mesh.size(); }
   /// What its rows are called: "heel: impact".
   std::string named(std::string_view what) const {

@@ -2,6 +2,7 @@
 #include "hopper/planning/plane/sagittal_robot.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -112,16 +113,33 @@ std::string sole_name(std::size_t index, std::size_t count) {
   return fmt::format("sole {}", index);
 }
 
-void require_foot(const Robot& robot, std::size_t foot) {
+/// Bodies that have contact points.
+std::vector<std::string> feet_of(const Robot& robot) {
+  std::vector<std::string> names;
   for (const ContactPoint& contact : robot.contacts) {
-    if (contact.point.body != foot) {
-      refuse(robot, fmt::format("'{}' and '{}' are contact points of two bodies; planned is for "
-                                "robots that stand on one",
-                                robot.contacts.front().name, contact.name));
-    }
+    const std::string& name = robot.tree.bodies[contact.point.body].name;
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+void require_foot(const Robot& robot) {
+  const std::vector<std::string> feet = feet_of(robot);
+  if (feet.size() > 1) {
+    refuse(robot, fmt::format("it stands on {} bodies ({}), and planned is for robots that stand "
+                              "on one: `hopper check` and `hopper replay` take a motion of it that "
+                              "another program made; one leg under a base of its own, as "
+                              "specs/robot/planar_leg.json, can be planned",
+                              feet.size(), fmt::join(feet, ", ")));
+  }
+  for (const ContactPoint& contact : robot.contacts) {
     if (contact.radius_m > 0.0) {
-      refuse(robot, fmt::format("contact point '{}' is a ball; planned is for feet of points",
-                                contact.name));
+      refuse(robot,
+             fmt::format("contact point '{0}' is a ball; planned is for feet of points: in a "
+                         "copy of the document put it {1:g} m lower, where the ball meets "
+                         "the ground, without radius_m; plan with that, and replay with the "
+                         "ball",
+                         contact.name, contact.radius_m));
     }
   }
 }
@@ -147,7 +165,7 @@ void require_level(const Robot& robot, const std::vector<SolePoint>& sole) {
 void find_sole(const Robot& robot, const ZeroPose& pose, SagittalRobot& out) {
   if (robot.contacts.empty()) refuse(robot, "has no contact points to stand on");
   out.foot = robot.contacts.front().point.body;
-  require_foot(robot, out.foot);
+  require_foot(robot);
   if (!pose.frames[out.foot].isIdentity(kLean)) {
     refuse(robot, fmt::format("the frame of '{}' is turned against the base's at position zero; "
                               "planned is for feet whose axes are the base's there",

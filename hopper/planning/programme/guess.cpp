@@ -31,6 +31,10 @@ Frame between(const Frame& a, const Frame& b, double s) {
           a.foot_rad + smooth * (b.foot_rad - a.foot_rad)};
 }
 
+bool flies_in(const std::vector<MeshPhase>& mesh, std::size_t phase) {
+  return phase < mesh.size() && mesh[phase].stance.is_flight();
+}
+
 class KeyFrames {
  public:
   KeyFrames(const PlanModel& model, const PlanOptions& options)
@@ -42,7 +46,7 @@ class KeyFrames {
   VectorXd named(const char* name, const VectorXd& otherwise) const;
   VectorXd bent(double share) const;
   Frame standing(const VectorXd& joints) const;
-  double tip_rad(const std::vector<MeshPhase>& mesh, std::size_t phase, std::size_t flight) const;
+  double tip_rad(const std::vector<MeshPhase>& mesh, std::size_t phase) const;
   VectorXd held(const Frame& frame, std::size_t sole_point, const Eigen::Vector2d& at) const;
   Eigen::Vector2d base(const VectorXd& position) const;
   VectorXd position(const Frame& frame, const Eigen::Vector2d& rear) const;
@@ -108,8 +112,7 @@ Frame KeyFrames::standing(const VectorXd& joints) const {
 }
 
 /// How far the foot has tipped at a phase's end: there it stands, or will, on one end of its sole.
-double KeyFrames::tip_rad(const std::vector<MeshPhase>& mesh, std::size_t phase,
-                          std::size_t flight) const {
+double KeyFrames::tip_rad(const std::vector<MeshPhase>& mesh, std::size_t phase) const {
   const auto by_end = [&](std::size_t of) {
     if (of >= mesh.size() || model_.plane.sole.size() == 1) return 0.0;
     const std::vector<std::size_t>& points = mesh[of].stance.points;
@@ -117,7 +120,7 @@ double KeyFrames::tip_rad(const std::vector<MeshPhase>& mesh, std::size_t phase,
     return points.front() == 0 ? -kToeUp_rad : kToeUp_rad;
   };
   const double next_rad = by_end(phase + 1);
-  return next_rad == 0.0 && phase + 1 == flight ? by_end(phase) : next_rad;
+  return next_rad == 0.0 && flies_in(mesh, phase + 1) ? by_end(phase) : next_rad;
 }
 
 /// The base's.
@@ -166,9 +169,12 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
   std::vector<Frame> ends{crouch};
   for (std::size_t p = 0; p < mesh.size(); ++p) {
     Frame frame = crouch;
-    if (p + 1 == flight) frame = take_off;
-    if (p + 2 == flight) frame = between(crouch, take_off, 0.5);
-    frame.foot_rad += (p < flight ? 0.0 : goal.turn_rad) + tip_rad(mesh, p, flight);
+    if (flies_in(mesh, p + 1)) {
+      frame = take_off;
+    } else if (flies_in(mesh, p + 2) && !mesh[p].stance.is_flight()) {
+      frame = between(crouch, take_off, 0.5);
+    }
+    frame.foot_rad += (p < flight ? 0.0 : goal.turn_rad) + tip_rad(mesh, p);
     ends.push_back(frame);
   }
   perturb(ends);
@@ -186,11 +192,12 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
     if (flies) {
       // It lands with the next stance's first point on the ground, as far on as asked for.
       foot.x() += goal.stride_m.value_or(0.0);
+      foot.y() = ground_m(goal, mesh, p + 1);
       const std::size_t point = mesh[p + 1].stance.points.front();
       landing = held(ends[p + 1], point,
                      {foot.x() + model_.plane.sole[point].point.p_B_m.x() -
                           model_.plane.sole.front().point.p_B_m.x(),
-                      0.0});
+                      foot.y()});
     }
     for (int i = 0; i < kInstants; ++i) {
       const double s = static_cast<double>(i) / (kInstants - 1);
@@ -213,7 +220,7 @@ PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal
         const std::size_t point = mesh[p].stance.points.front();
         const double x = foot.x() + model_.plane.sole[point].point.p_B_m.x() -
                          model_.plane.sole.front().point.p_B_m.x();
-        instant.position = held(frame, point, {x, 0.0});
+        instant.position = held(frame, point, {x, foot.y()});
       }
       const Index n = instant.position.size();
       instant.velocity = instant.acceleration = VectorXd::Zero(n);

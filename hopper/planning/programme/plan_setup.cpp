@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "dynamics/gravity.hpp"
+#include "hopper/planning/programme/hops.hpp"
 #include "hopper/planning/programme/standing.hpp"
 #include "io/faults/refusal.hpp"
 
@@ -33,6 +34,8 @@ constexpr Kind kLast{0.4, 0.7, 40.0, &LongestPhases::last_s, "--longest-last"};
 // are none).
 constexpr Kind kPushOff{0.02, 0.085, 30.0, &LongestPhases::push_off_s, "--longest-push-off"};
 constexpr Kind kLanding{0.02, 0.16, 30.0, &LongestPhases::landing_s, "--longest-landing"};
+// As long as it takes to catch the last hop and gather for the next.
+constexpr Kind kBetween{0.05, 0.2, 30.0, &LongestPhases::between_s, "--longest-between"};
 constexpr Kind kFlight{0.05, 0.425, 60.0, &LongestPhases::flight_s, "--longest-flight"};
 constexpr std::size_t kFewestIntervals = 4;  // of a phase
 
@@ -40,9 +43,19 @@ Kind kind_of(const std::vector<Stance>& stances, std::size_t phase) {
   if (stances[phase].is_flight()) return kFlight;
   if (phase == 0) return kFirst;
   if (phase + 1 == stances.size()) return kLast;
-  const auto flight = std::find_if(stances.begin(), stances.end(),
-                                   [](const Stance& one) { return one.is_flight(); });
-  return stances.begin() + static_cast<std::ptrdiff_t>(phase) < flight ? kPushOff : kLanding;
+  const auto flies_in = [&](std::size_t from, std::size_t to) {
+    return std::any_of(stances.begin() + static_cast<std::ptrdiff_t>(from),
+                       stances.begin() + static_cast<std::ptrdiff_t>(to),
+                       [](const Stance& one) { return one.is_flight(); });
+  };
+  const bool has_flown = flies_in(0, phase);
+  if (has_flown && flies_in(phase, stances.size()) && stances[phase].name == "flat") {
+    return kBetween;
+  }
+  // After the last time that it stood whole or flew.
+  std::size_t since = phase;
+  while (since > 0 && stances[since - 1].name != "flat" && !stances[since - 1].is_flight()) --since;
+  return has_flown && stances[since - 1].is_flight() ? kLanding : kPushOff;
 }
 
 std::vector<double> even_knots(std::size_t intervals) {
@@ -65,6 +78,21 @@ void require_flight(const std::vector<Stance>& stances, const PlanTask& task) {
                                        fmt::join(names, ","), task.name));
 }
 
+/// Of all phases but those after the first flight up to the last: a motion of many flights has as
+/// many intervals for each.
+double shares_of_one_flight(const std::vector<Stance>& stances) {
+  double shares = 0.0;
+  std::size_t flights = 0, last = 0;
+  for (std::size_t p = 0; p < stances.size(); ++p) {
+    if (stances[p].is_flight()) last = p;
+  }
+  for (std::size_t p = 0; p < stances.size(); ++p) {
+    if (flights == 0 || p > last) shares += kind_of(stances, p).share;
+    if (stances[p].is_flight()) ++flights;
+  }
+  return shares;
+}
+
 /// A flight reaches its apex, and every phase lasts a little.
 void require_duration(const Bounds& duration_s, const Kind& kind) {
   if (duration_s.lower <= duration_s.upper) return;
@@ -78,8 +106,7 @@ std::vector<MeshPhase> first_mesh(const std::vector<Stance>& stances, const Plan
   // A flight that rises has its apex within.
   const double rise_m = options.task->takes_rise ? options.rise_m : 0.0;
   const double to_apex_s = std::sqrt(2.0 * rise_m / dynamics::kGravity_m_s2);
-  double shares = 0.0;
-  for (std::size_t p = 0; p < stances.size(); ++p) shares += kind_of(stances, p).share;
+  const double shares = shares_of_one_flight(stances);
   std::vector<MeshPhase> mesh;
   for (std::size_t p = 0; p < stances.size(); ++p) {
     const Kind kind = kind_of(stances, p);
@@ -101,6 +128,7 @@ std::vector<MeshPhase> first_mesh(const std::vector<Stance>& stances, const Plan
 PlanGoal plan_goal(const PlanModel& model, const PlanOptions& options) {
   PlanGoal goal;
   options.task->set_goal(options, goal);
+  set_hops(plan_stances(model.plane, options), model, options, goal);
   goal.has_level_base = model.plane.sole.size() == 1;
   for (const Bounds& range : model.joint_rad) {
     const double quarter = 0.25 * (range.upper - range.lower);
@@ -125,9 +153,13 @@ std::vector<Stance> plan_stances(const SagittalRobot& plane, const PlanOptions& 
     require_flight(stances, *options.task);
     return stances;
   }
-  if (plane.sole.size() == 1) return stances_of(plane, {"flat", "flight", "flat"});
+  std::vector<std::string> once{"flat", "flight", "flat"};
   const auto& of_a_sole = options.task->stances_of_a_sole;
-  return stances_of(plane, {of_a_sole.begin(), of_a_sole.end()});
+  if (plane.sole.size() > 1) once.assign(of_a_sole.begin(), of_a_sole.end());
+  std::vector<std::string> names = once;
+  // The last stance is the next one's first.
+  for (int i = 1; i < options.repeat; ++i) names.insert(names.end(), once.begin() + 1, once.end());
+  return stances_of(plane, names);
 }
 
 }  // namespace torquewright::hopper

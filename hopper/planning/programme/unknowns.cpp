@@ -77,14 +77,44 @@ class Unknowns {
     return 0.0;
   }
 
-  int add_positions(std::size_t phase, bool is_last, bool at_rest, const PlannedInstant& guess) {
+  double flights(std::size_t phase) const {
+    return static_cast<double>(flights_before(out_.mesh, phase));
+  }
+
+  /// How far strides after the first take the foot.
+  double further_m() const {
+    return std::abs(goal_.stride_m.value_or(0.0)) * (flights(out_.mesh.size()) - 1.0);
+  }
+
+  /// Height of the ground after a flight; of another phase, where it stands.
+  double lands_at_m(std::size_t phase) const {
+    return ground_m(goal_, out_.mesh, std::min(phase + 1, out_.mesh.size() - 1));
+  }
+
+  /// Whether a phase after a flight holds the rearmost point, which goes on before the end: there
+  /// the foot is where the flights before have brought it.
+  bool is_held_between(std::size_t phase) const {
+    if (flights_before(out_.mesh, phase) == 0 || stance(phase - 1).holds_place()) return false;
+    for (std::size_t p = phase; p < out_.mesh.size(); ++p) {
+      if (!stance(p).holds_place()) return p > phase;
+    }
+    return false;
+  }
+
+  int add_positions(std::size_t phase, std::size_t point, bool at_rest,
+                    const PlannedInstant& guess) {
+    const bool is_last = point + 1 == out_.mesh[phase].points();
     VariableSet set{"position", moving_of(guess.position), {}, {}};
-    set.bounds = {within(kFarthest_m), {0.0, kHighest_m}, within(4.0 * std::numbers::pi)};
+    const double ground = ground_m(goal_, out_.mesh, phase);
+    const double lowest_m = std::min(ground, lands_at_m(phase));
+    set.bounds = {within(kFarthest_m + further_m()),
+                  {lowest_m, kHighest_m + std::max(ground, lands_at_m(phase))},
+                  within(4.0 * std::numbers::pi)};
     // The last instant of a phase is the first of the next as well.
     const bool lands = is_last && phase + 1 < out_.mesh.size() &&
                        stance(phase + 1).frame() == stance(phase).frame();
     if (stance(phase).holds_place() || (lands && stance(phase + 1).holds_place())) {
-      set.bounds[1] = equal_to(0.0);
+      set.bounds[1] = equal_to(ground);
     }
     if (stance(phase).holds_pitch() || (lands && stance(phase + 1).holds_pitch())) {
       set.bounds[2] = equal_to(turned_rad(lands ? phase + 1 : phase));
@@ -93,7 +123,10 @@ class Unknowns {
     const double origin_m = model_.plane.sole.front().point.p_B_m.x();
     if (phase == 0) set.bounds[0] = equal_to(origin_m);
     if (phase > 0 && at_rest && goal_.stride_m)
-      set.bounds[0] = equal_to(origin_m + *goal_.stride_m);
+      set.bounds[0] = equal_to(origin_m + *goal_.stride_m * flights(phase));
+    const std::size_t held = lands && !stance(phase).holds_place() ? phase + 1 : phase;
+    if (goal_.stride_m && is_held_between(held))
+      set.bounds[0] = equal_to(origin_m + *goal_.stride_m * flights(held));
     set.scales = {typical::kLength_m, typical::kLength_m, typical::kAngle_rad};
     for (Index j = 0; j < joints_; ++j) {
       const auto joint = static_cast<std::size_t>(j);
@@ -229,8 +262,7 @@ class Unknowns {
           (phase == 0 && i == 0) || (phase + 1 == out_.mesh.size() && i + 1 == points);
       const bool shares = joins && stance(phase - 1).frame() == mesh.stance.frame();
       const PointVariables* before = joins ? &out_.phases.back().points.back() : nullptr;
-      point.position =
-          shares ? before->position : add_positions(phase, i + 1 == points, at_rest, guess);
+      point.position = shares ? before->position : add_positions(phase, i, at_rest, guess);
       point.velocity =
           shares && !variables.has_impact
               ? before->velocity

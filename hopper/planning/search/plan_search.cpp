@@ -313,6 +313,7 @@ bool Planner::refine_for_ground() {
 void Planner::judge() {
   if (result_.check) return;
   result_.motion = sampled_motion(robot_, model_.plane, result_.plan, options_.sample_s);
+  result_.motion.ground = goal_.ground;
   CheckOptions all_rows = options_.check;
   all_rows.left_out_share = 0.0;  // of a solution no row is an error of a recording
   try {

@@ -16,6 +16,7 @@ void jump_goal(const PlanOptions& options, PlanGoal& goal) {
 const PlanTask jump = {.name = "jump",
                        .sentence = "straight up",
                        .takes_rise = true,
+                       .takes_repeat = true,
                        .stances_of_a_sole = {"flat", "toe", "flight", "toe", "flat"},
                        .set_goal = jump_goal};
 

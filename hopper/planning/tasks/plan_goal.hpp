@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <vector>
 
 #include "hopper/planning/plane/stance.hpp"
 #include "optimization/nonlinear/program.hpp"
+#include "simulation/contact/ground_profile.hpp"
 
 namespace torquewright::hopper {
 
@@ -33,13 +36,32 @@ inline constexpr double kStandsWithin = 0.1;
 /// Goal of a plan beside obeying physics.
 struct PlanGoal {
   double turn_rad = 0.0;           ///< Turn of the foot, forwards.
-  std::optional<double> stride_m;  ///< Stride of the foot; empty: free.
-  std::optional<double> rise_m;    ///< Least rise of the centre of mass in flight.
+  std::optional<double> stride_m;  ///< Stride of the foot in each flight; empty: free.
+  /// By flight: how high the ground is where it lands, over that where the motion begins.
+  std::vector<double> landings_m;
+  simulation::GroundProfile ground;  ///< With these heights, edges between the places.
+  /// How long it takes from the first take-off to the last touch-down; empty: free.
+  std::optional<double> hops_s;
+  std::optional<double> rise_m;  ///< Least rise of the centre of mass in flight.
   /// The range in which each joint that moves stands at the begin and at the end, in rad.
   std::vector<optimization::Bounds> standing_rad;
   /// Whether the base is level at the beginning, and turned by `turn_rad` at the end: for a foot of
   /// one point, whose own pitch is free.
   bool has_level_base = false;
 };
+
+/// How many of the phases before this one are flights.
+inline std::size_t flights_before(const std::vector<MeshPhase>& mesh, std::size_t phase) {
+  return static_cast<std::size_t>(
+      std::count_if(mesh.begin(), mesh.begin() + static_cast<std::ptrdiff_t>(phase),
+                    [](const MeshPhase& one) { return one.stance.is_flight(); }));
+}
+
+/// How high the ground is where a phase stands, or takes off.
+inline double ground_m(const PlanGoal& goal, const std::vector<MeshPhase>& mesh,
+                       std::size_t phase) {
+  const std::size_t flights = flights_before(mesh, phase);
+  return flights == 0 || goal.landings_m.empty() ? 0.0 : goal.landings_m[flights - 1];
+}
 
 }  // namespace torquewright::hopper

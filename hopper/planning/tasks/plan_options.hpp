@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,7 +38,8 @@ struct LongestPhases {
   double push_off_s = 0.15;  ///< One on an edge that lasts longer has the foot hover.
   double flight_s = 0.8;
   double landing_s = 0.3;
-  double last_s = 1.0;  ///< A replay falls where it creeps (trial: 1.6 s fell, 1.0 s stood).
+  double between_s = 0.8;  ///< Whole sole between two flights.
+  double last_s = 1.0;     ///< A replay falls where it creeps (trial: 1.6 s fell, 1.0 s stood).
 };
 
 /// An objective by name (hopper/planning/objectives/) with its weight.
@@ -58,8 +60,16 @@ struct PlanProgress {
 struct PlanOptions {
   const PlanTask* task = &tasks::flip;
   DriveLimits limits = DriveLimits::kMor;
-  double rise_m = 0.1;    ///< Least rise of the centre of mass in the flight of a jump or a hop.
-  double stride_m = 0.1;  ///< Stride of a hop, forwards.
+  double rise_m = 0.1;  ///< Least rise of the centre of mass in the flight of a jump or a hop.
+  /// Stride of a hop, forwards; empty: the task's, or what the speed makes.
+  std::optional<double> stride_m;
+  /// Mean speed of the foot from the first take-off to the last touch-down, its sign the stride's;
+  /// empty: free.
+  std::optional<double> speed_m_s;
+  int repeat = 1;  ///< Flights in a row, where `stances` does not say how many.
+  /// How high the ground is where each flight lands, over that where the motion begins; the last
+  /// holds for all that follow. Empty: flat ground.
+  std::vector<double> landings_m;
   /// Stances in order: "flat", "heel", "flight", ...; empty: the task's.
   std::vector<std::string> stances;
   std::vector<WeightedObjective> objectives;  ///< Objectives with weights; empty: the task's.

@@ -15,9 +15,10 @@ struct PlanOptions;
 struct PlanTask {
   std::string_view name;
   std::string_view sentence;  ///< Description for a user of what the robot does.
-  /// Whether it takes `--rise`, and `--stride`.
+  /// Whether it takes `--rise`; `--stride`, `--speed` and `--land-at`; and `--repeat`.
   bool takes_rise = false;
   bool takes_stride = false;
+  bool takes_repeat = false;
   /// Stances in order where nobody states them, for a foot with a sole. A foot of one point has
   /// flat, flight, flat.
   std::vector<std::string_view> stances_of_a_sole;

@@ -12,6 +12,27 @@
 namespace torquewright::cli {
 namespace {
 
+void require_repeat(const hopper::PlanOptions& plan) {
+  if (plan.repeat > 1 && !plan.task->takes_repeat) {
+    io::refuse("--repeat", "is for jumps and hops: a flip comes down from a single turn");
+  }
+  if (plan.repeat > 1 && !plan.stances.empty()) {
+    io::refuse("--repeat", "and --contacts both say how often it flies: leave out one of them");
+  }
+}
+
+/// A speed goes where the stride goes.
+void require_speed(const HopperFlipRequest& request) {
+  if (!request.speed_m_s) return;
+  if (*request.speed_m_s == 0.0) {
+    io::refuse("--speed", "of 0 goes nowhere: --task jump lands where it began");
+  }
+  if (request.stride_m && *request.stride_m * *request.speed_m_s <= 0.0) {
+    io::refuse("--speed", fmt::format("of {:g} m/s does not go where a --stride of {:g} m goes",
+                                      *request.speed_m_s, *request.stride_m));
+  }
+}
+
 /// What only some tasks have.
 void set_distances(const HopperFlipRequest& request, hopper::PlanOptions& plan) {
   if (request.rise_m && !plan.task->takes_rise) {
@@ -20,8 +41,17 @@ void set_distances(const HopperFlipRequest& request, hopper::PlanOptions& plan) 
   if (request.stride_m && !plan.task->takes_stride) {
     io::refuse("--stride", "only --task hop takes it; a jump lands where it began");
   }
+  for (const auto& [option, is_given] : {std::pair{"--speed", request.speed_m_s.has_value()},
+                                         {"--land-at", !request.plan.landings_m.empty()}}) {
+    if (is_given && !plan.task->takes_stride) {
+      io::refuse(option, "only --task hop takes it; a jump lands where it began");
+    }
+  }
+  require_speed(request);
+  require_repeat(plan);
   plan.rise_m = request.rise_m.value_or(plan.rise_m);
-  plan.stride_m = request.stride_m.value_or(plan.stride_m);
+  plan.stride_m = request.stride_m;
+  plan.speed_m_s = request.speed_m_s;
 }
 
 void set_margins(const HopperFlipRequest& request, hopper::PlanOptions& plan) {

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "hopper/motion/ground_line.hpp"
 #include "src/report/motion/flip_words.hpp"
 
 namespace torquewright::report {
@@ -25,6 +26,9 @@ std::string motion_lines(const FlipAnswer& answer) {
     text += fmt::format("  phase    {:<7} {:.4f} to {:.4f} s: {:.4f} s, {} intervals\n",
                         phase.stance, phase.begin_s(), phase.end_s(),
                         phase.end_s() - phase.begin_s(), phase.intervals());
+  }
+  if (!result.motion.ground.is_flat()) {
+    text += "  ground   " + hopper::ground_words(result.motion.ground) + "\n";
   }
   const std::string flight = flight_words(result);
   return text + (flight.empty() ? "" : "  flight   " + flight + "\n");

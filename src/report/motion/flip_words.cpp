@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "hopper/planning/search/longest_flight.hpp"
@@ -73,7 +74,10 @@ std::string task_words(const PlanOptions& options, const PlanResult& result) {
     objectives.push_back(fmt::format("{} {} (weight {:g})", part.name,
                                      with_unit(part.value, part.unit), part.weight));
   }
-  return fmt::format("{}, drives held to their {}{}{}", options.task->name,
+  const auto flights = std::count_if(result.plan.phases.begin(), result.plan.phases.end(),
+                                     [](const PlannedPhase& phase) { return phase.flies(); });
+  return fmt::format("{}{}, drives held to their {}{}{}", options.task->name,
+                     flights > 1 ? fmt::format(", {} in a row", flights) : "",
                      options.limits == DriveLimits::kBox ? "boxes" : "regions",
                      objectives.empty() ? "" : "; ", fmt::join(objectives, ", "));
 }

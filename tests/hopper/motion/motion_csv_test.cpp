@@ -54,6 +54,7 @@ Motion full_motion(const Robot& robot) {
   motion.has_forces = true;
   motion.touching = (table(contacts, 1.0, random).array() > 0.0).cast<double>();
   motion.has_touching = true;
+  motion.ground = {{0.3}, {0.0, 0.085}};
   return motion;
 }
 
@@ -76,6 +77,8 @@ TEST_P(MotionCsv, IsReadAsTheSameNumbers) {
   EXPECT_EQ(again.has_effort, motion.has_effort);
   EXPECT_EQ(again.forces_N, motion.forces_N);
   EXPECT_EQ(again.touching, motion.touching);
+  EXPECT_EQ(again.ground.edges_x_m, motion.ground.edges_x_m);
+  EXPECT_EQ(again.ground.heights_m, motion.ground.heights_m);
   EXPECT_TRUE(again.has_base);
   EXPECT_EQ(again.has_forces, !robot.contacts.empty());
   EXPECT_EQ(again.has_touching, !robot.contacts.empty());

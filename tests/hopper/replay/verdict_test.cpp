@@ -24,6 +24,8 @@ constexpr double kPlanned_s = 0.7;
 constexpr double kEnd_s = 1.0;
 constexpr double kPeriod_s = 5e-4;
 
+const simulation::GroundProfile kFlat;
+
 const Robot& hopper_robot() {
   static const ReadRobot read = read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json");
   return read.robot;
@@ -202,7 +204,7 @@ TEST(ReplayFall, BodiesThatAreNoFeetMustStayAboveTheGround) {
   dynamics::TreeState state(robot.tree);
   const auto at = [&](double pitch_rad, double height_m) {
     state.set(pose(pitch_rad, height_m), VectorXd::Zero(9));
-    return fallen(robot, state, 0.0);
+    return fallen(robot, state, {0.0, kFlat});
   };
   EXPECT_FALSE(at(0.0, 0.5));  // the sole is 0.01 m above the ground
   // Straight legs, upside down: the thigh's centre of mass is 0.22 m below the knee.
@@ -212,16 +214,34 @@ TEST(ReplayFall, BodiesThatAreNoFeetMustStayAboveTheGround) {
   EXPECT_EQ(at(std::numbers::pi / 2, -0.001).value_or(""), "the thigh's origin is on the ground");
 }
 
+// The sole reaches from 0.08 m behind the base to 0.12 m in front of it, 0.49 m below.
+TEST(ReplayFall, WhatRunsIntoAnEdgeHasStruckIt) {
+  const Robot& robot = hopper_robot();
+  dynamics::TreeState state(robot.tree);
+  const auto at = [&](double height_m, const simulation::GroundProfile& ground) {
+    state.set(pose(0.0, height_m), VectorXd::Zero(9));
+    return struck(robot, state, {0.0, ground}).value_or("");
+  };
+  const simulation::GroundProfile rises{{0.1}, {0.0, 0.085}}, falls{{-0.07}, {0.085, 0.0}};
+  EXPECT_EQ(at(0.52, rises), "toe_left strikes an edge of the ground, 55 mm below its top");
+  EXPECT_EQ(at(0.52, falls), "heel_left strikes an edge of the ground, 55 mm below its top");
+  EXPECT_EQ(at(0.576, rises), "");  // over it
+  EXPECT_EQ(at(0.571, rises), "");  // as deep as soft ground lets it sink
+  EXPECT_EQ(at(0.47, kFlat), "");   // no edge is there
+  EXPECT_EQ(at(0.52, {{0.13}, {0.0, 0.085}}), "");
+  EXPECT_EQ(at(0.56, {{0.1}, {0.085, 0.0}}), "");  // below the top, further from the face
+}
+
 TEST(ReplayFall, TheDeepestPointIsNamed) {
   const Robot& robot = hopper_robot();
   dynamics::TreeState state(robot.tree);
   // Upright: all four points are 0.49 m below the knee.
   state.set(pose(0.0, 0.488), VectorXd::Zero(9));
-  EXPECT_FALSE(buried(robot, state, 0.0, 2.1e-3));
-  ASSERT_TRUE(buried(robot, state, 0.0, 1.9e-3));
+  EXPECT_FALSE(buried(robot, state, {0.0, kFlat}, 2.1e-3));
+  ASSERT_TRUE(buried(robot, state, {0.0, kFlat}, 1.9e-3));
   // Leaning forward by 0.1 rad presses the toes down.
   state.set(pose(0.1, 0.488), VectorXd::Zero(9));
-  const auto point = buried(robot, state, 0.0, 1e-3);
+  const auto point = buried(robot, state, {0.0, kFlat}, 1e-3);
   ASSERT_TRUE(point);
   EXPECT_EQ(robot.contacts[point->contact].name.substr(0, 3), "toe");
   const double depth_m = 0.49 * std::cos(0.1) + 0.12 * std::sin(0.1) - 0.488;
