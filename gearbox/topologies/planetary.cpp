@@ -85,16 +85,17 @@ void describe_efficiency(const Stage& stage, DesignReport& report) {
 
 void describe_loads(const Stage& stage, DesignReport& report) {
   if (!stage.problem.load_output_torque_Nm) return;
-  const auto sun = static_cast<double>(stage.teeth.sun);
-  const double sun_radius_m = stage.cut ? stage.cut->centre_mm * 1e-3 * sun /
-                                              (sun + static_cast<double>(stage.teeth.planet))
-                                        : io::nearest(stage.module_mm) * sun / 2.0 * 1e-3;
+  const PlanetaryTeeth<double> teeth = stage.real_teeth();
+  const double centre_mm = stage.cut
+                               ? stage.cut->centre_mm
+                               : io::nearest(stage.module_mm) * (teeth.sun + teeth.planet) / 2.0;
   const PlanetaryLoads loads =
       planetary_loads(io::nearest(*stage.problem.load_output_torque_Nm), io::nearest(report.ratio),
-                      stage.planet_count, sun_radius_m);
+                      stage.planet_count, working_radii(teeth, centre_mm * 1e-3));
   report.input_torque_Nm = loads.sun_torque_Nm;
   report.fixed_ring_torque_Nm = loads.ring_torque_Nm;
-  for (MeshReport& mesh : report.meshes) mesh.tangential_force_N = loads.tooth_force_N;
+  report.meshes[0].tangential_force_N = loads.sun_force_N;
+  report.meshes[1].tangential_force_N = loads.ring_force_N;
 }
 
 void describe_bodies(const Stage& stage, DesignReport& report) {
@@ -171,9 +172,10 @@ double reduction(Numbers teeth) {
 
 std::vector<double> forces_N(Numbers teeth, std::int64_t planet_count, double centre_m) {
   const double ratio = reduction(teeth);
-  const double sun_m = centre_m * teeth[0] / (teeth[0] + teeth[1]);
-  const double force_N = planetary_loads(ratio, ratio, planet_count, sun_m).tooth_force_N;
-  return {force_N, force_N};
+  const PlanetaryTeeth<double> all{teeth[0], teeth[1], teeth[2]};
+  const PlanetaryLoads loads =
+      planetary_loads(ratio, ratio, planet_count, working_radii(all, centre_m));
+  return {loads.sun_force_N, loads.ring_force_N};
 }
 
 TrainEfficiency efficiency(Numbers teeth, Numbers mesh) {

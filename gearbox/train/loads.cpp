@@ -22,12 +22,19 @@ ThreeKLoads three_k_loads(double output_torque_Nm, double reduction, std::int64_
   return loads;
 }
 
+PlanetaryRadii working_radii(const PlanetaryTeeth<double>& teeth, double centre_m) {
+  return {centre_m * teeth.sun / (teeth.sun + teeth.planet),
+          centre_m * teeth.ring / (teeth.ring - teeth.planet)};
+}
+
 PlanetaryLoads planetary_loads(double output_torque_Nm, double reduction, std::int64_t planet_count,
-                               double sun_radius_m) {
+                               const PlanetaryRadii& radii) {
+  const auto planets = static_cast<double>(planet_count);
   PlanetaryLoads loads;
   loads.sun_torque_Nm = output_torque_Nm / reduction;
   loads.ring_torque_Nm = output_torque_Nm - loads.sun_torque_Nm;
-  loads.tooth_force_N = loads.sun_torque_Nm / (static_cast<double>(planet_count) * sun_radius_m);
+  loads.sun_force_N = loads.sun_torque_Nm / (planets * radii.sun_m);
+  loads.ring_force_N = loads.ring_torque_Nm / (planets * radii.ring_m);
   return loads;
 }
 

@@ -39,13 +39,26 @@ struct ThreeKLoads {
 ThreeKLoads three_k_loads(double output_torque_Nm, double reduction, std::int64_t planet_count,
                           const ThreeKRadii& radii);
 
-/// Single stage: sun and ring push every planet with the same force.
+/// Radii on which sun and ring of a single stage roll on their planets [m].
+struct PlanetaryRadii {
+  double sun_m = 0.0;
+  double ring_m = 0.0;
+};
+
+/// Working radii at a centre distance, with or without profile shift: a S/(S + P), a R/(R - P).
+PlanetaryRadii working_radii(const PlanetaryTeeth<double>& teeth, double centre_m);
+
+/// Single stage: torques on the central gears and their forces on one planet. The two forces are
+/// equal where R = S + 2 P; with profile shift the planet rolls on another circle in each mesh.
 struct PlanetaryLoads {
   double sun_torque_Nm = 0.0;
   double ring_torque_Nm = 0.0;
-  double tooth_force_N = 0.0;
+  double sun_force_N = 0.0;
+  double ring_force_N = 0.0;
 };
+
+/// Loads for a torque that the carrier delivers. docs/derivations/strength.md eq. (1).
 PlanetaryLoads planetary_loads(double output_torque_Nm, double reduction, std::int64_t planet_count,
-                               double sun_radius_m);
+                               const PlanetaryRadii& radii);
 
 }  // namespace torquewright::gearbox

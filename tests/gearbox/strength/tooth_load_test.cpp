@@ -47,6 +47,18 @@ TEST(ToothForces, OfTheAnkleBalancePlanetAndCarrier) {
   EXPECT_NEAR(sun_torque_Nm(strength.train, -168, TorqueSide::kJoint), 21, 1e-12);
 }
 
+// Oracle: a shifted planet does not spin up either: 21 + 2 43 is not 108, so that its working
+// circles a P/(S + P) and a P/(R - P) differ; nor does the carrier find other than 500 Nm.
+TEST(ToothForces, OfShiftedTeethBalanceAPlanetOnItsTwoCircles) {
+  StrengthCase strength = d110a_strength();
+  strength.train = {"planetary", {21, 43, 108}, {.438, .0426, 0}, 3, 1.75, {38}};
+  const auto loads = tooth_loads(strength, sun_torque_Nm(strength.train, 500, TorqueSide::kJoint));
+  const double sun_N = at(loads, "sun", "sun_planet").tangential_force_N;
+  const double ring_N = at(loads, "ring", "planet_ring").tangential_force_N;
+  EXPECT_NEAR(sun_N / 64, ring_N / 65, 1e-9);
+  EXPECT_NEAR(ring_N, 418.6 / 3 / 94.375e-3, 0.2);  // 0.05 of 418.6 N m
+}
+
 // Oracle: DIN 3990 in its printed form (lever by D.5.12) in another language. Tools of 0.375
 // modules, what GEARpie's C14 has: Y_Fa, Y_Sa 2.76309, 1.56336 (21 teeth), 2.27643, 1.73925 (63). A
 // ring's section has a test of its own, ring_section_test.cpp. What is stated counts, also where,

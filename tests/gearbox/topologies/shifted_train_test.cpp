@@ -170,6 +170,25 @@ TEST(ShiftedTrain, ClosesPublishedShiftsToTheirDecimals) {
       << coaxial->sentence;
 }
 
+// Oracle: by hand, torque over planets and over the circle that a ring rolls on, a R/(R - P): 418.6
+// N m/3/94.375 mm; and the balances of a planet and of the carrier, which know no such circle of
+// the ring. 21 + 2 43 is one tooth less than the ring has, so that the forces differ by 1.6 %.
+TEST(ShiftedTrain, PushesEachMeshByItsOwnWorkingCircle) {
+  Problem problem = whole_problem("planetary");
+  problem.load_output_torque_Nm = 500;
+  problem.module_mm = {Rational(7, 4)};
+  Design design{{21, 43, 108}, 3, Rational(7, 4)};
+  design.profile_shift = {.438, .0426, 0.0};
+  const DesignReport report = evaluated(problem, design);
+  const double sun_N = report.meshes[0].tangential_force_N;
+  const double ring_N = report.meshes[1].tangential_force_N;
+  EXPECT_NEAR(report.centre_distance_mm * 108 / (108 - 43), 94.375, 5e-4);
+  EXPECT_NEAR(ring_N, 418.6 / 3 / 94.375e-3, 0.2);  // 0.05 of 418.6 N m
+  const double centre_m = report.centre_distance_mm * 1e-3;
+  EXPECT_NEAR(sun_N * centre_m * 43 / 64, ring_N * centre_m * 43 / 65, 1e-9);
+  EXPECT_NEAR(3 * centre_m * (sun_N + ring_N), 500, 1e-9);
+}
+
 // SDP/SI D785 table 4-3 (the same table in Bolsover's "Profile shifted external spur gears"): m 3,
 // 12 and 24 teeth, x .6 and .36, to the printed digits; here as sun and planet of a stage whose
 // ring of 60 teeth closes it. The table's shifts are rounded: a = 56.4999.
