@@ -55,7 +55,7 @@ const Check velocity_constant = {
         },
     .expected = velocity_constant_expected,
     .interpreters = {emf_interpretations, side_interpretations},
-    .tolerance = catalogue,
+    .tolerance = speeds,
 };
 
 }  // namespace torquewright::actuator::lint

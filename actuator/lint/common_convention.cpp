@@ -39,6 +39,32 @@ RoundedInterval required_factor(const Actuator& document) {
                 sheet_ratio(document, "no_load_speed_rad_s"), sheet_voltage(document));
 }
 
+/// Share of the voltage that the stated no-load current takes, at the most.
+double share_of_no_load_current(const Actuator& document) {
+  const auto current_A = sheet_number(document, &Datasheet::no_load_current_A, "no_load_current_A");
+  if (!current_A) return 0.0;
+  const Interpretation reading = as_stated(document);
+  const double drop_V =
+      phase_resistance(document).high *
+      phase_current(reading,
+                    torque_constant_amperes(reading, *current_A, "/datasheet/no_load_current_A"))
+          .high;
+  return std::min(drop_V / phase_voltage(document).value, 1.0);
+}
+
+/// A sheet may state `tolerance` of what follows, (1 - share) c V / (Kt N).
+FactorRange tolerated_factors(const Actuator& document, const RoundedInterval& required) {
+  const Tolerance tolerance = catalogue({document, *stated_speed(document), plain_speed(document)});
+  const double left = tolerance.least * (1.0 - share_of_no_load_current(document));
+  return {required.low / tolerance.greatest, left > 0.0 ? required.high / left : kUnlimited};
+}
+
+bool assumes_convention(const Actuator& document) {
+  return std::any_of(document.assumed.begin(), document.assumed.end(), [](const auto& pointer) {
+    return pointer == "/motor" || pointer == "/motor/torque_constant_convention";
+  });
+}
+
 /// c of a convention: phase volts per bus volt over phase back-EMF per torque constant.
 double factor_of(CurrentConvention convention, Modulation modulation) {
   return phase_volts_per_bus_volt(convention, modulation) /
@@ -63,6 +89,12 @@ std::vector<FactorCandidate> bare_candidates() {
   return list;
 }
 
+bool is_tolerated_by_all(const CommonFactor& common, double factor) {
+  return std::all_of(common.required.begin(), common.required.end(), [factor](const auto& one) {
+    return factor >= one.tolerated.low && factor <= one.tolerated.high;
+  });
+}
+
 Agreement fit_of(const CommonFactor& common, double factor) {
   if (factor >= common.low && factor <= common.high) return Agreement::kFits;
   const bool exceeds_all =
@@ -78,6 +110,16 @@ std::string joined(const CommonFactor& common, const char* separator,
     all += (all.empty() ? "" : separator) + text(one);
   }
   return all;
+}
+
+/// Candidates that every sheet's tolerance leaves open, as a list.
+std::string tolerated_ones(const CommonFactor& common) {
+  std::string names;
+  for (const FactorCandidate& candidate : common.candidates) {
+    if (!candidate.is_tolerated) continue;
+    names += fmt::format("{}{}", names.empty() ? "" : " or ", candidate.sentence);
+  }
+  return names;
 }
 
 std::string sentence_of(const CommonFactor& common) {
@@ -100,6 +142,9 @@ std::string sentence_of(const CommonFactor& common) {
                           common.low, common.high)
                     : ", nor with rounding";
   }
+  const std::string tolerated = tolerated_ones(common);
+  if (!tolerated.empty())
+    sentence += fmt::format("; within what catalogues leave open {}", tolerated);
   return sentence +
          ": ask the maker which ampere and which speed (no-load, loaded, capped) is meant.";
 }
@@ -149,8 +194,10 @@ std::optional<CommonFactor> common_factor(std::span<const Actuator> documents) {
   common.candidates = bare_candidates();
   for (const Actuator& document : documents) {
     if (!stated_speed(document)) continue;
-    common.required.push_back({document.name, required_factor(document), *stated_speed(document),
-                               document.drive.peak_current_A, greatest_weakening(document)});
+    const RoundedInterval factor = required_factor(document);
+    common.required.push_back({document.name, factor, *stated_speed(document),
+                               document.drive.peak_current_A, greatest_weakening(document),
+                               tolerated_factors(document, factor), assumes_convention(document)});
     common.low = std::max(common.low, common.required.back().factor.low);
     common.high = std::min(common.high, common.required.back().factor.high);
     for (FactorCandidate& candidate : common.candidates) {
@@ -166,11 +213,16 @@ std::optional<CommonFactor> common_factor(std::span<const Actuator> documents) {
       });
   for (FactorCandidate& candidate : common.candidates) {
     candidate.fit = fit_of(common, candidate.factor);
+    candidate.is_tolerated = is_tolerated_by_all(common, candidate.factor);
   }
   return common;
 }
 
 std::optional<Finding> finding_of(const CommonFactor& common) {
+  const bool is_tolerated = !tolerated_ones(common).empty();
+  const bool is_any_assumed = std::any_of(common.required.begin(), common.required.end(),
+                                          [](const auto& one) { return one.assumes_convention; });
+  if (is_tolerated && !is_any_assumed) return std::nullopt;
   Finding finding;
   for (const FactorCandidate& candidate : common.candidates) {
     if (candidate.fit == Agreement::kFits) return std::nullopt;
@@ -179,7 +231,7 @@ std::optional<Finding> finding_of(const CommonFactor& common) {
         {consequence(candidate, common), exact(candidate.factor), candidate.fit});
   }
   if (const auto weakened = weakened_by(common)) finding.explanations.push_back(*weakened);
-  finding.severity = contradiction(finding.explanations);
+  finding.severity = is_tolerated ? Severity::kNote : contradiction(finding.explanations);
   finding.rule = "common-convention";
   finding.actuator = joined(common, ", ", [](const RequiredFactor& one) { return one.actuator; });
   finding.sentence = sentence_of(common);

@@ -12,6 +12,12 @@ namespace torquewright::actuator::lint {
 
 /// Several actuators of one maker: does one convention of the torque constant fit them all?
 
+/// Factors from the least to the greatest.
+struct FactorRange {
+  double low = 0.0;
+  double high = 0.0;
+};
+
 /// The factor c of w0 = c V / (Kt N) that a document's printed numbers demand.
 struct RequiredFactor {
   std::string actuator;
@@ -20,6 +26,10 @@ struct RequiredFactor {
   double peak_current_A = 0.0;  ///< Peak current of the drive.
   /// Greatest factor of field weakening on a speed, if Kt = Ke; 1 where the document has none.
   double greatest_weakening = 1.0;
+  /// The factors that its sheet does not contradict: `factor` with what the rule for a single
+  /// no-load speed leaves open, the constants' tolerance and the no-load current's share.
+  FactorRange tolerated = {};
+  bool assumes_convention = false;  ///< Its document marks the convention as assumed.
 };
 
 /// The factor c, and each actuator's speed, under one convention and modulation.
@@ -29,6 +39,7 @@ struct FactorCandidate {
   double factor = 1.0;
   std::vector<RoundedInterval> speeds_rad_s;  ///< Speeds in the order of the actuators.
   Agreement fit = Agreement::kExcludes;  ///< kAdmits: no stated speed exceeds what is possible.
+  bool is_tolerated = false;             ///< Every document's tolerated factors hold this one.
 };
 
 struct CommonFactor {
@@ -42,7 +53,8 @@ struct CommonFactor {
 /// Looks for a common factor. Empty with fewer than two documents that state a no-load speed.
 std::optional<CommonFactor> common_factor(std::span<const Actuator> documents);
 
-/// Returns a finding; empty if one candidate fits all.
+/// Returns a finding; empty if one candidate fits all. A note where one is tolerated by all and
+/// some document assumes its convention; where all state theirs, a tolerated one is no finding.
 std::optional<Finding> finding_of(const CommonFactor& common);
 
 /// Returns findings on one motor with several gearboxes (pairs with the same constants and drive,

@@ -14,6 +14,9 @@ namespace {
 constexpr std::size_t kMostReadings = 2;
 constexpr std::size_t kMostCulprits = 3;
 constexpr double kSameNumber = 1e-12;
+/// What a reading may leave beyond rounding. The nearest two, a torque constant per dc ampere and
+/// per peak ampere with six steps, are 3/pi apart; within half of that no ratio is met by both.
+constexpr double kReadingShare = 0.0225;
 
 /// A document in some readings, and what these leave to be explained.
 struct Candidate {
@@ -34,14 +37,21 @@ std::optional<std::string> own_explanation(const Check& check, const Actuator& d
   return std::nullopt;
 }
 
-/// The checks that a reading leaves to be explained. What contradicts as stated has to agree within
-/// its rounding: within a catalogue's 10 % some reading meets nearly any ratio.
+bool is_nearly_met(const Check& check, const Pair& pair) {
+  RoundedInterval wide = pair.expected;
+  wide.low *= 1.0 - kReadingShare;
+  wide.high *= 1.0 + kReadingShare;
+  return is_met(check.demand, pair.stated, wide);
+}
+
+/// The checks that a reading leaves to be explained. What contradicts as stated has to agree nearly
+/// within its rounding: within a catalogue's 10 % some reading meets nearly any ratio.
 std::vector<const Check*> left_by(const Interpretation& reading,
                                   const std::vector<const Check*>& contradicting) {
   std::vector<const Check*> left = contradicted(reading);
   for (const Check* check : contradicting) {
     const std::optional<Pair> pair = pair_of(*check, reading);
-    if (!pair || is_met(check->demand, pair->stated, pair->expected)) continue;
+    if (!pair || is_nearly_met(*check, *pair)) continue;
     if (std::find(left.begin(), left.end(), check) == left.end()) left.push_back(check);
   }
   return left;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "actuator/lint/every_check.hpp"
+#include "actuator/lint/other_voltage.hpp"
 #include "actuator/lint/quantities.hpp"
 
 namespace torquewright::actuator::lint {
@@ -68,7 +69,8 @@ const Check no_load_speed = {
         },
     .interpreters = {speed_interpretations, side_interpretations},
     .below_is_load = true,
-    .tolerance = catalogue,
+    .further = other_voltage,
+    .tolerance = speeds,
 };
 
 const Check maximum_speed = {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "actuator/lint/every_check.hpp"
+#include "actuator/lint/other_voltage.hpp"
 #include "actuator/lint/quantities.hpp"
 #include "actuator/lint/torque.hpp"
 
@@ -71,6 +72,7 @@ const Check stall_current = {
     .expected = current_expected,
     .interpreters = {ohm_interpretations, speed_interpretations, ampere_interpretations,
                      limited_interpretations},
+    .further = other_voltage,
     .tolerance = catalogue,
 };
 

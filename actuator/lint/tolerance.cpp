@@ -46,11 +46,32 @@ double least_after_gears(const Compared& compared) {
   return is_behind_gears ? least_share_of_gears(compared.document) : 1.0;
 }
 
+/// Printed as stall torque over stall current, within their rounding: of the motor alone, in the
+/// amperes of its terminals, without a back-EMF constant of its own.
+bool is_torque_constant_of_stall(const Actuator& document) {
+  if (!document.datasheet || document.motor.back_emf_constant_V_s_rad) return false;
+  if (document.motor.torque_constant_convention != CurrentConvention::kDc) return false;
+  if (document.datasheet->joint_side && document.transmission.ratio != 1.0) return false;
+  const auto torque_Nm = sheet_number(document, &Datasheet::stall_torque_Nm, "stall_torque_Nm");
+  const auto current_A = sheet_number(document, &Datasheet::stall_current_A, "stall_current_A");
+  if (!torque_Nm || !current_A) return false;
+  const RoundedInterval at_stall = derive(
+      [](double torque, double amperes) { return torque / amperes; }, *torque_Nm, *current_A);
+  const RoundedInterval constant = torque_constant(document);
+  return !lies_above(at_stall, constant) && !lies_above(constant, at_stall);
+}
+
 }  // namespace
 
 Tolerance catalogue(const Compared& compared) {
   if (says_tolerances(compared)) return {};
   return {1.0 - kCatalogueShare, 1.0 + kCatalogueShare};
+}
+
+Tolerance speeds(const Compared& compared) {
+  Tolerance tolerance = catalogue(compared);
+  if (is_torque_constant_of_stall(compared.document)) tolerance.least *= kUnsaturated;
+  return tolerance;
 }
 
 Tolerance rated_torques(const Compared& compared) {

@@ -28,6 +28,11 @@ struct Compared {
 /// in hand; none where the source states tolerances of its own, which the intervals then hold.
 Tolerance catalogue(const Compared& compared);
 
+/// Tolerance of a speed, or a speed per volt, that follows from the torque constant. Where that is
+/// no more than stall torque over stall current, saturation at stall has taken its share of it, and
+/// the speed may be as much lower.
+Tolerance speeds(const Compared& compared);
+
 /// Tolerance of torques at the sheet's side up to the rated one: constants, and gears of unknown
 /// efficiency.
 Tolerance rated_torques(const Compared& compared);

@@ -77,6 +77,39 @@ TEST(JointExplanation, TakesTwoReadingsWhereOneWillNotDo) {
                                          "velocity constant per volt line-to-line rms"}));
 }
 
+// A torque constant per rms ampere under dc, 3/sqrt(2) k instead of sqrt(3) k, and 1.6 % off as
+// constants of catalogues are: one reading all the same, since no other comes as near.
+TEST(JointExplanation, LeavesAReadingWhatIsLessThanTheDistanceOfTwo) {
+  Actuator document = invented();
+  Datasheet& sheet = *document.datasheet;
+  sheet.stall_current_A = sheet.stall_torque_Nm = sheet.mechanical_time_constant_s = std::nullopt;
+  document.motor.torque_constant_Nm_A = 1.016 * 3.0 / std::sqrt(2.0) * kLinkage;
+  const Finding finding = the_contradiction(document);
+  EXPECT_EQ(finding.rule, "whole-sheet");
+  EXPECT_EQ(finding.severity, Severity::kWarning);
+  EXPECT_EQ(finding.explained_by, Words{"torque constant per rms ampere, svpwm modulation"});
+  document.motor.torque_constant_Nm_A *= 1.03 / 1.016;
+  EXPECT_EQ(the_contradiction(document).severity, Severity::kViolation);
+}
+
+// Stall current and torque measured at 24 V where the rest of the sheet holds 48; a speed at 60 V.
+// A third of a voltage that nobody supplies explains nothing.
+TEST(JointExplanation, KnowsTheVoltageAtWhichANumberWasStated) {
+  Actuator document = invented();
+  *document.datasheet->stall_current_A /= 2.0;
+  *document.datasheet->stall_torque_Nm /= 2.0;
+  EXPECT_EQ(the_contradiction(document).explained_by, Words{"stall-current: stated at 24 V"});
+  document = invented();
+  *document.datasheet->no_load_speed_rad_s *= 60.0 / 48.0;
+  EXPECT_EQ(the_contradiction(document).explained_by, Words{"no-load-speed: stated at 60 V"});
+  document.drive.bus_voltage_V = 64.0;
+  document.datasheet->voltage_V = kVolt;
+  *document.datasheet->no_load_speed_rad_s *= 64.0 / 60.0;
+  EXPECT_EQ(the_contradiction(document).explained_by, Words{"no-load-speed: stated at 64 V"});
+  *document.datasheet->no_load_speed_rad_s *= 66.0 / 64.0;
+  EXPECT_EQ(the_contradiction(document).severity, Severity::kViolation);
+}
+
 // Each numeral of the sheet alone, three times too large: no reading has a factor of 3 but losses
 // and loads, which only take away.
 TEST(JointExplanation, NamesTheNumeralThatSpoilsTheSheet) {
