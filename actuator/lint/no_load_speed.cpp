@@ -2,8 +2,8 @@
 #include <fmt/format.h>
 
 #include "actuator/lint/every_check.hpp"
-#include "actuator/lint/other_voltage.hpp"
 #include "actuator/lint/quantities.hpp"
+#include "actuator/lint/supply_voltage.hpp"
 
 namespace torquewright::actuator::lint {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "actuator/lint/every_check.hpp"
-#include "actuator/lint/other_voltage.hpp"
 #include "actuator/lint/quantities.hpp"
+#include "actuator/lint/supply_voltage.hpp"
 #include "actuator/lint/torque.hpp"
 
 namespace torquewright::actuator::lint {

@@ -16,6 +16,7 @@
 #include "identification/replay/standstill.hpp"
 #include "identification/selection/answer.hpp"
 #include "identification/selection/folds.hpp"
+#include "identification/signals/output_motion.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -43,7 +44,9 @@ class JointAnalysis {
         torque_options_(options),
         bench_(make_bench(rig, log, joint, actuators)),
         levels_(noise_levels(log, joint)),
-        folds_(run_folds(log)) {}
+        folds_(run_folds(log)) {
+    bench_.moves_by_velocity = tells_motion_better(log, bench_, levels_);
+  }
 
   std::vector<EquationResult> run() {
     say("preparing", 0.0);

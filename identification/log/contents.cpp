@@ -216,6 +216,31 @@ double usable(const Log& log, const std::vector<std::string>& names, bool is_map
   return sum;
 }
 
+/// What else would do where it is gaps that leave too little.
+std::string without_gaps(const Log& log, const std::vector<std::string>& names, double least_s) {
+  double begin_s = 0.0, end_s = 0.0;
+  std::size_t cuts = 0;
+  std::string last;
+  double whole_s = 0.0;
+  for (const RunHead& stretch : stretches_of(log.runs)) {
+    if (std::find(names.begin(), names.end(), stretch.name) == names.end()) continue;
+    if (stretch.name == last) {
+      ++cuts;
+    } else {
+      whole_s += end_s - begin_s;
+      begin_s = stretch.begin_s;
+    }
+    end_s = stretch.end_s;
+    last = stretch.name;
+  }
+  whole_s += end_s - begin_s;
+  if (cuts == 0 || whole_s < least_s) return "";
+  return fmt::format(
+      ". They last {:.3g} s, which {} gap{} cut: a recorder that never pauses for "
+      "longer than {:g} s would do",
+      whole_s, cuts, cuts == 1 ? "" : "s", kLongestBridge_s);
+}
+
 void report_too_little(Log& log) {
   const bool is_map = log.runs.head(0).is_map;
   const auto check = [&](const std::vector<std::string>& names, double least, const char* what) {
@@ -223,8 +248,9 @@ void report_too_little(Log& log) {
     if (there >= least) return;
     log.findings.push_back(
         {Weight::kError, fmt::format("the runs {} hold {:.3g} {} of use, less than the {:.3g} "
-                                     "needed: the log cannot tell",
-                                     what, there, is_map ? "samples" : "s", least)});
+                                     "needed: the log cannot tell{}",
+                                     what, there, is_map ? "samples" : "s", least,
+                                     is_map ? "" : without_gaps(log, names, least))});
   };
   const auto map_samples = static_cast<double>(kFewestOfMap);
   check(log.train_runs, is_map ? map_samples : kLeastTrain_s, "to fit");

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "actuator/heat/working_temperature.hpp"
 #include "identification/log/channel.hpp"
 #include "identification/log/remedy.hpp"
 #include "io/faults/spec_error.hpp"
 #include "io/text/one_line.hpp"
-#include "optimization/fit/quantile.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -22,12 +22,14 @@ namespace {
 constexpr double kGreatestReading = std::numeric_limits<float>::max();
 
 constexpr double kLongStep_s = 0.5;
+constexpr double kQuarterTurn_rad = 0.5 * std::numbers::pi;
 
-/// Requires two times or more.
-double median_step_s(const std::vector<double>& time_s) {
-  std::vector<double> steps_s;
-  for (std::size_t i = 1; i < time_s.size(); ++i) steps_s.push_back(time_s[i] - time_s[i - 1]);
-  return optimization::median(std::move(steps_s));
+bool is_angle(Quantity quantity) {
+  return quantity == Quantity::kOutputPosition || quantity == Quantity::kMotorPosition;
+}
+
+bool is_position(Quantity quantity) {
+  return is_angle(quantity) || quantity == Quantity::kLinearPosition;
 }
 
 }  // namespace
@@ -152,11 +154,6 @@ bool LogReader::repeats_row() const {
   });
 }
 
-bool is_position(Quantity quantity) {
-  return quantity == Quantity::kOutputPosition || quantity == Quantity::kMotorPosition ||
-         quantity == Quantity::kLinearPosition;
-}
-
 /// Where a joint went on as it had come while the rows before this one said the same, they are left
 /// out: what they say is of another time.
 void LogReader::drop_if_stale(double next_s) {
@@ -235,8 +232,11 @@ void LogReader::check_time(double time_s) {
     spread(time_s);
     if (!median_s_ && run_.time_s.size() > kStepsForMedian) learn_step();
     if (median_s_ && time_s - previous_s_ > kGapFactor * *median_s_) {
-      hand_over(0, run_.time_s.size());
-      gap_ = {previous_s_, time_s - previous_s_, *median_s_};
+      const Gap gap{previous_s_, time_s - previous_s_, *median_s_};
+      if (gap.length_s > kLongestBridge_s || turns_too_far(run_.time_s.size())) {
+        hand_over(0, run_.time_s.size());
+        gap_ = gap;
+      }
     } else {
       stamp_step_s_ = time_s - stamp_s_;
     }
@@ -317,11 +317,25 @@ void LogReader::learn_step() {
   for (std::size_t i = 1; i < run_.time_s.size(); ++i) {
     const double step_s = run_.time_s[i] - run_.time_s[i - 1];
     if (step_s <= kGapFactor * *median_s_) continue;
+    if (step_s <= kLongestBridge_s && !turns_too_far(i)) continue;
     hand_over(begin, i);
     gap_ = {run_.time_s[i - 1], step_s, *median_s_};
     begin = i;
   }
   if (begin > 0) run_ = part_of(run_, begin, run_.masked.size());
+}
+
+/// Across a gap between two rows, of which the later may not stand in the run yet. Of an angle that
+/// starts anew with each turn it could not be told which way it went.
+bool LogReader::turns_too_far(std::size_t row) const {
+  return std::any_of(columns_.channels.begin(), columns_.channels.end(), [&](const Source& source) {
+    if (!is_angle(source.quantity)) return false;
+    const std::vector<double>& values = run_.joints[source.joint.value_or(0)][source.quantity];
+    const double next = row < values.size()
+                            ? values[row]
+                            : csv_->number(source.column) * source.scale + source.offset;
+    return std::abs(next - values[row - 1]) > kQuarterTurn_rad;
+  });
 }
 
 /// Nothing of a motion is seen in such steps; of milliseconds under a name in s they are usual.

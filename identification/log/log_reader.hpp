@@ -43,9 +43,7 @@ class LogReader {
   /// Returns the last digits that the channels' numbers are written to, by joint.
   std::vector<PrintedSteps> printed_steps() const;
 
-  /// A step longer than this many times the median of the run's first steps cuts it (docs/logs.md:
-  /// jitter of real logs stays below 2.2 medians).
-  static constexpr double kGapFactor = 5.0;
+  /// Steps by whose median gaps are told from steps, the first of a run.
   static constexpr std::size_t kStepsForMedian = 1000;
   /// A piece has at least so many rows and lasts so long, unless its stretch is shorter; the rest
   /// of the stretch at least half of it. Choices of ours.
@@ -69,6 +67,7 @@ class LogReader {
   void warn_of_long_steps();
   void append(const Source& source, std::size_t joint, double value);
   void learn_step();
+  bool turns_too_far(std::size_t row) const;
   bool holds_piece() const;
   void hand_over_piece();
   void hand_over(std::size_t begin, std::size_t end);

@@ -10,6 +10,7 @@
 #include "identification/log/repair.hpp"
 #include "identification/log/run_groups.hpp"
 #include "identification/log/spread_runs.hpp"
+#include "identification/log/stale_rows.hpp"
 #include "io/faults/spec_error.hpp"
 #include "io/text/time_text.hpp"
 #include "io/text/wording.hpp"
@@ -99,6 +100,29 @@ std::vector<Stretch> read_runs(LogReader& reader, Runs& runs) {
   return stretches;
 }
 
+/// What a recorder asked for before there was something new, and where it paused.
+void mend_times(Runs& runs, std::vector<DataFinding>& findings) {
+  std::size_t dropped = 0;
+  std::vector<std::string> names;
+  Pauses pauses;
+  for (std::size_t i = 0; i < runs.size() && !runs.head(i).is_map; ++i) {
+    Run run = runs[i];
+    const std::size_t rows = drop_polled(run);
+    pauses.add(run);
+    if (rows == 0) continue;
+    dropped += rows;
+    if (names.empty() || names.back() != run.name) names.push_back(run.name);
+    runs.change(i, [&run](Run& old) { old = std::move(run); });
+  }
+  if (dropped > 0) {
+    findings.push_back(
+        {Weight::kWarning, fmt::format("{} rows that repeat the row before between new ones that "
+                                       "come at an even pace, asked for too soon: left out in {}",
+                                       dropped, describe_runs(names))});
+  }
+  for (const std::string& each : pauses.sentences()) findings.push_back({Weight::kWarning, each});
+}
+
 void rename_runs(const std::vector<Stretch>& stretches, Runs& runs) {
   std::size_t stretch = 0;
   for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -120,6 +144,7 @@ Log read_log(const std::vector<std::filesystem::path>& files, const Rig& rig,
   rename_runs(stretches, log.runs);
   log.files = reader.files_read();
   log.findings = reader.findings();
+  mend_times(log.runs, log.findings);
   report_gaps(stretches, log.findings);
   log.printed = reader.printed_steps();
   report_rig(rig, log.findings);

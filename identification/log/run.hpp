@@ -24,7 +24,8 @@ struct Channels {
   bool has(Quantity quantity) const { return !(*this)[quantity].empty(); }
 };
 
-/// A stretch of samples without a gap, or a piece of one. All vectors have one length.
+/// A stretch of samples without a gap but for short ones (kLongestBridge_s), or a piece of one. All
+/// vectors have one length.
 struct Run {
   std::string name;
   std::vector<double> time_s;    ///< Times, strictly ascending; empty in a map without time.

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "identification/log/run.hpp"
+
 namespace torquewright::identification {
 
 /// Estimates a channel's resolution from above: the least difference of its steps, or of two
@@ -33,5 +35,12 @@ struct Travel {
 /// rather than rest: at `next_s`, the row behind them, the position has gone on as if it had moved
 /// all the time.
 bool are_stale(const Travel& travel, std::size_t repeats, double next_s, double next_position);
+
+/// Of a recorder that asks faster than there is something new: leaves out rows that repeat the row
+/// before in all channels where new ones come at an even pace T, but for one each T, which is rest.
+/// What is new is then taken for T apart, where times differ from that by no more than the
+/// recorder's own step: it saw each up to a step late. Returns how many rows it left out; 0: no
+/// such run.
+std::size_t drop_polled(Run& run);
 
 }  // namespace torquewright::identification

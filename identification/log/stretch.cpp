@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identification/log/stretch.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "io/text/time_text.hpp"
+#include "optimization/fit/quantile.hpp"
 
 namespace torquewright::identification {
 
@@ -44,6 +49,38 @@ void append(Run& run, const Run& piece) {
       join(run.joints[joint].of[i], piece.joints[joint].of[i]);
     }
   }
+}
+
+double median_step_s(const std::vector<double>& time_s) {
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < time_s.size(); ++i) steps_s.push_back(time_s[i] - time_s[i - 1]);
+  return optimization::median(std::move(steps_s));
+}
+
+void Pauses::add(const Run& stretch) {
+  const std::vector<double>& time_s = stretch.time_s;
+  if (time_s.size() < 2) return;
+  const double median_s = median_step_s(time_s);
+  for (std::size_t i = 1; i < time_s.size(); ++i) {
+    const double length_s = time_s[i] - time_s[i - 1];
+    if (length_s <= kGapFactor * median_s) continue;
+    if (runs_.empty() || runs_.back().run != stretch.name) runs_.push_back({stretch.name, 0, {}});
+    OfRun& all = runs_.back();
+    ++all.count;
+    if (length_s > all.longest.length_s) all.longest = {time_s[i - 1], length_s, median_s};
+  }
+}
+
+std::vector<std::string> Pauses::sentences() const {
+  std::vector<std::string> all;
+  for (const OfRun& each : runs_) {
+    all.push_back(fmt::format(
+        "run \"{}\" pauses {} time{}, at the longest for {:.4g} s after t = {} s, where "
+        "the median step is {:.4g} s: bridged, and masked there",
+        each.run, each.count, each.count == 1 ? "" : "s", each.longest.length_s,
+        io::time_text(each.longest.at_s), each.longest.median_s));
+  }
+  return all;
 }
 
 }  // namespace torquewright::identification

@@ -4,11 +4,20 @@
 #include <cstddef>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "identification/log/run.hpp"
 
 namespace torquewright::identification {
+
+/// A step longer than this many times the median of its stretch is a gap (docs/logs.md: jitter of
+/// real logs stays below 2.2 medians).
+constexpr double kGapFactor = 5.0;
+
+/// A gap up to this does not cut: one period of 8 Hz, the band in which equations are judged, so
+/// that either side of it holds what the motion does in the band. What lies in it is masked.
+constexpr double kLongestBridge_s = 0.125;
 
 /// A step in time so much longer than the run's others that what lay between is unknown.
 struct Gap {
@@ -17,7 +26,28 @@ struct Gap {
   double median_s = 0.0;  ///< Median of the run's steps.
 };
 
-/// A part of one run as it stands in a file, without a gap.
+/// Median of the steps between times. Requires two or more.
+double median_step_s(const std::vector<double>& time_s);
+
+/// The gaps of runs that do not cut.
+class Pauses {
+ public:
+  /// Adds the gaps of a run's stretch. Stretches of one run follow one another.
+  void add(const Run& stretch);
+
+  /// Says of each run that has any how many there are, and where the longest is.
+  std::vector<std::string> sentences() const;
+
+ private:
+  struct OfRun {
+    std::string run;
+    std::size_t count = 0;
+    Gap longest;
+  };
+  std::vector<OfRun> runs_;
+};
+
+/// A part of one run as it stands in a file, without a gap that is not bridged.
 struct Stretch {
   Run run;                 ///< Samples; its name is as the file states it.
   std::size_t file = 0;    ///< Index of the file.

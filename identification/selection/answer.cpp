@@ -396,8 +396,9 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
                                                  : telling_band_Hz(equation, held, fold_of_run)});
   result.band_Hz = rows.options().cutoff_Hz;
   if (rows.training_blocks() < kLeastTrainingBlocks) {
-    result.unusable = fmt::format("{} blocks can be fitted; {} are needed: a longer log",
-                                  rows.training_blocks(), kLeastTrainingBlocks);
+    result.unusable =
+        fmt::format("{} blocks can be fitted; {} are needed: {}", rows.training_blocks(),
+                    kLeastTrainingBlocks, what_would_help(held.rows));
     return result;
   }
   const ModelFitter fitter(equation, rows, held.replica);

@@ -34,6 +34,9 @@ struct Bench {
   Encoders encoders = Encoders::kOutput;
   bool is_linear = false;  ///< The output is a linear axis, in m, m/s and N.
   bool has_temperature = false;
+  /// Speed and acceleration are those of the logged velocity, though the same shaft's position was
+  /// logged too: it tells them with less noise (tells_motion_better).
+  bool moves_by_velocity = false;
 
   /// Actuator that moves in a gap without an encoder, where more is known than the nominal one.
   std::shared_ptr<const actuator::Actuator> in_gap;

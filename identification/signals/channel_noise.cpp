@@ -28,7 +28,7 @@ double deviation_of_step(double step) { return step / std::sqrt(12.0); }
 /// What is asked of one channel, over all runs.
 class ChannelNoise {
  public:
-  void add(const std::vector<double>& signal) {
+  void add(const std::vector<double>& time_s, const std::vector<double>& signal) {
     if (signal.size() < kLeastSamples) return;
     std::size_t equal = 0;
     for (std::size_t i = 0; i < signal.size(); ++i) {
@@ -40,8 +40,8 @@ class ChannelNoise {
       }
     }
     const auto samples = static_cast<double>(signal.size());
-    parts_.push_back(
-        {noise_level(signal), samples, static_cast<double>(equal) > kRepeats * samples});
+    const double white = time_s.empty() ? noise_level(signal) : noise_level(time_s, signal);
+    parts_.push_back({white, samples, static_cast<double>(equal) > kRepeats * samples});
     samples_ += samples;
     equal_ += static_cast<double>(equal);
   }
@@ -100,7 +100,8 @@ double level_of(const ChannelNoise& channel, Quantity quantity, double printed_s
 NoiseLevels noise_levels(const Log& log, std::size_t joint) {
   std::array<ChannelNoise, kQuantityCount> channels;
   for (const Run& run : log.runs) {
-    for (std::size_t q = 0; q < kQuantityCount; ++q) channels[q].add(run.joints[joint].of[q]);
+    for (std::size_t q = 0; q < kQuantityCount; ++q)
+      channels[q].add(run.time_s, run.joints[joint].of[q]);
   }
   const PrintedSteps printed = joint < log.printed.size() ? log.printed[joint] : PrintedSteps{};
   NoiseLevels levels{};

@@ -9,38 +9,29 @@
 #include "identification/signals/signs.hpp"
 
 namespace torquewright::identification {
-namespace {
 
-/// Deviation that white noise on a position leaves in the derivative below a cut-off.
-double velocity_noise(double deviation_rad, double cutoff_Hz, double step_s) {
-  const double share = std::min(1.0, 2.0 * cutoff_Hz * step_s);
-  return deviation_rad * 2.0 * std::numbers::pi * cutoff_Hz * std::sqrt(share / 3.0);
-}
-
-}  // namespace
-
-std::vector<double> velocity_below(double cutoff_Hz, const std::vector<double>& unfiltered_rad,
-                                   double step_s) {
-  std::vector<double> low = unfiltered_rad;
+std::vector<double> RawMotion::speed_below(double cutoff_Hz) const {
+  std::vector<double> low = values;
   LowPass(cutoff_Hz, 1.0 / step_s).apply(low);
-  return derivative(low, step_s);
+  return is_speed ? low : derivative(low, step_s);
 }
 
-std::vector<double> directions(const std::vector<double>& velocity_rad_s,
-                               const std::vector<double>& unfiltered_rad,
-                               const PositionSamples& samples) {
+/// White noise on a position leaves 2 pi times cut-off over sqrt(3) of itself in the derivative.
+double RawMotion::speed_noise(double cutoff_Hz) const {
+  const double below = deviation * std::sqrt(std::min(1.0, 2.0 * cutoff_Hz * step_s));
+  return is_speed ? below : below * 2.0 * std::numbers::pi * cutoff_Hz / std::numbers::sqrt3;
+}
+
+std::vector<double> directions(const std::vector<double>& speed_rad_s, const RawMotion& raw,
+                               double cutoff_Hz) {
   Bands bands;
-  if (!unfiltered_rad.empty()) {
-    bands.below = [&](double cutoff_Hz) {
-      return velocity_below(cutoff_Hz, unfiltered_rad, samples.step_s);
-    };
+  if (!raw.values.empty()) {
+    bands.below = [&](double below_Hz) { return raw.speed_below(below_Hz); };
   }
-  bands.noise = [&](double cutoff_Hz) {
-    return velocity_noise(samples.deviation_rad, cutoff_Hz, samples.step_s);
-  };
-  bands.cutoff_Hz = samples.cutoff_Hz;
-  bands.step_s = samples.step_s;
-  return mean_signs(velocity_rad_s, bands);
+  bands.noise = [&](double below_Hz) { return raw.speed_noise(below_Hz); };
+  bands.cutoff_Hz = cutoff_Hz;
+  bands.step_s = raw.step_s;
+  return mean_signs(speed_rad_s, bands);
 }
 
 }  // namespace torquewright::identification

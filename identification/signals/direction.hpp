@@ -5,21 +5,22 @@
 
 namespace torquewright::identification {
 
-/// The unfiltered position that a velocity was derived from, with its noise.
-struct PositionSamples {
-  double deviation_rad = 0.0;  ///< Standard deviation of its white noise.
-  double cutoff_Hz = 0.0;      ///< Cut-off of the low-pass that the velocity has passed.
+/// The unfiltered channel that tells the motion, with its noise: a position, or a speed.
+struct RawMotion {
+  std::vector<double> values;  ///< Empty: no wider band is known.
+  bool is_speed = false;
+  double deviation = 0.0;  ///< Standard deviation of its white noise.
   double step_s = 0.0;
+
+  /// Returns the speed below a cut-off.
+  std::vector<double> speed_below(double cutoff_Hz) const;
+  /// Returns the standard deviation of that speed's noise.
+  double speed_noise(double cutoff_Hz) const;
 };
 
-/// Returns the velocity below another cut-off, from the unfiltered position.
-std::vector<double> velocity_below(double cutoff_Hz, const std::vector<double>& unfiltered_rad,
-                                   double step_s);
-
-/// Returns the sign of the motion at each sample, from the unfiltered position where there is one
-/// (see mean_signs).
-std::vector<double> directions(const std::vector<double>& velocity_rad_s,
-                               const std::vector<double>& unfiltered_rad,
-                               const PositionSamples& samples);
+/// Returns the sign of the motion at each sample, from the unfiltered channel where there is one
+/// (see mean_signs). `cutoff_Hz` is of the low-pass that the speed has passed.
+std::vector<double> directions(const std::vector<double>& speed_rad_s, const RawMotion& raw,
+                               double cutoff_Hz);
 
 }  // namespace torquewright::identification

@@ -24,6 +24,10 @@ namespace {
 
 constexpr double kEnabled = 0.99;  ///< Below, the filter has seen a drive that was off.
 
+/// With what rows leave out around a masked sample, 0.3 periods of 8 Hz, the time in which a
+/// low-pass of 8 Hz settles to 1 % (LowPass::settling).
+constexpr double kAroundOff_s = (1.1 - 0.3) / 8.0;
+
 constexpr double kStickBand = 2.0;       ///< Times the cut-off, where sticking is looked for.
 constexpr double kLeastStick_s = 0.005;  ///< A shorter one moves a reversal by less than a sample.
 constexpr double kShortestStretch_s = 0.5;
@@ -59,10 +63,15 @@ std::vector<actuator::Instant> instants(const JointMotion& motion,
   return all;
 }
 
-void read_logged_speeds(ChannelGrid& grid, Signals& signals) {
-  signals.logged_velocity_rad_s = grid.read_if_any(
-      grid.has(Quantity::kOutputVelocity) ? Quantity::kOutputVelocity : Quantity::kLinearVelocity);
-  signals.motor_velocity_rad_s = grid.read_if_any(Quantity::kMotorVelocity);
+/// But for the one that tells the motion: it would be compared with itself.
+void read_logged_speeds(ChannelGrid& grid, const Bench& bench, Signals& signals) {
+  const bool is_by_motor = bench.moves_by_velocity && bench.encoders == Encoders::kMotor;
+  if (!bench.moves_by_velocity || is_by_motor) {
+    signals.logged_velocity_rad_s =
+        grid.read_if_any(grid.has(Quantity::kOutputVelocity) ? Quantity::kOutputVelocity
+                                                             : Quantity::kLinearVelocity);
+  }
+  if (!is_by_motor) signals.motor_velocity_rad_s = grid.read_if_any(Quantity::kMotorVelocity);
 }
 
 /// Where both sides' positions were logged.
@@ -133,21 +142,50 @@ void set_drive(ChannelGrid& grid, const Bench& bench, const NoiseLevels& levels,
 /// Below the signals' own cut-off; and, where the motion is not imposed and may stick for a moment
 /// as it reverses, in a wider band, in which such a rest is not yet smeared.
 std::vector<std::uint8_t> rests(const ChannelGrid& grid, const Bench& bench,
-                                const JointMotion& motion,
-                                const std::vector<double>& unfiltered_rad, double play_rad,
+                                const JointMotion& motion, const RawMotion& raw, double play_rad,
                                 double cutoff_Hz) {
   std::vector<std::uint8_t> rest = rest_mask(motion.velocity_rad_s, play_rad, grid.step_s());
-  if (unfiltered_rad.empty() || bench.load_side != LoadSide::kModel) return rest;
-  const std::vector<double> wide =
-      velocity_below(kStickBand * cutoff_Hz, unfiltered_rad, grid.step_s());
+  if (raw.values.empty() || bench.load_side != LoadSide::kModel) return rest;
+  const std::vector<double> wide = raw.speed_below(kStickBand * cutoff_Hz);
   const std::vector<std::uint8_t> sticks = rest_mask(wide, play_rad, grid.step_s(), kLeastStick_s);
   for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = rest[i] != 0 || sticks[i] != 0;
   return rest;
 }
 
-void set_usable(ChannelGrid& grid, const Run& run, const std::vector<std::uint8_t>& rest,
-                Signals& signals) {
-  signals.masked = run.masked;
+/// Reads the motion and, unfiltered with its noise, what it comes from.
+JointMotion read_own_motion(ChannelGrid& grid, const Bench& bench, const NoiseLevels& levels,
+                            RawMotion& raw) {
+  JointMotion motion = read_motion(grid, bench.actuator(), bench.moves_by_velocity, &raw);
+  raw.is_speed = bench.moves_by_velocity;
+  raw.deviation = raw.is_speed ? speed_deviation(bench, levels)
+                               : position_play(bench, levels) / kPlayDeviations;
+  raw.step_s = grid.step_s();
+  return motion;
+}
+
+/// How far the output may seem to move by noise alone within the time that makes a rest.
+double play_of(const RawMotion& raw, double cutoff_Hz) {
+  const double moved = raw.is_speed ? raw.speed_noise(cutoff_Hz) * kStandstill_s : raw.deviation;
+  return kPlayDeviations * moved;
+}
+
+/// Marks samples around those where the drive is off: what it did there stays in the filters of an
+/// equation until they have settled.
+void mask_around_off(const ChannelGrid& grid, const std::vector<double>& enabled,
+                     std::vector<std::uint8_t>& usable) {
+  const auto around =
+      grid.is_map() ? 0 : static_cast<std::size_t>(std::ceil(kAroundOff_s / grid.step_s()));
+  std::size_t marked = 0;  // Samples before it were looked at.
+  for (std::size_t i = 0; i < enabled.size(); ++i) {
+    if (enabled[i] >= kEnabled) continue;
+    const std::size_t until = std::min(usable.size(), i + around + 1);
+    for (std::size_t k = std::max(marked, i - std::min(i, around)); k < until; ++k) usable[k] = 0;
+    marked = until;
+  }
+}
+
+void set_usable(ChannelGrid& grid, const std::vector<std::uint8_t>& rest, Signals& signals) {
+  signals.masked = grid.masked();
   // A drive that is off leaves its winding open: nothing says what the motor does.
   const std::vector<double> enabled = grid.read_if_any(Quantity::kEnabled);
   for (std::size_t i = 0; i < enabled.size(); ++i) {
@@ -157,6 +195,7 @@ void set_usable(ChannelGrid& grid, const Run& run, const std::vector<std::uint8_
   for (std::size_t i = 0; i < grid.count(); ++i) {
     signals.usable[i] = signals.masked[i] == 0 && (rest.empty() || rest[i] == 0);
   }
+  mask_around_off(grid, enabled, signals.usable);
 }
 
 void set_time(const ChannelGrid& grid, Signals& signals) {
@@ -172,15 +211,13 @@ void set_time(const ChannelGrid& grid, Signals& signals) {
 
 /// One stretch, still at the raw rate. The order of reads: see ChannelGrid.
 Signals raw_signals(ChannelGrid& grid, const Bench& bench, const NoiseLevels& levels,
-                    const PreparationOptions& options, const Run& run) {
+                    const PreparationOptions& options) {
   const actuator::Actuator& actuator = bench.actuator();
-  std::vector<double> unfiltered_rad;
-  const JointMotion motion = read_motion(grid, actuator, &unfiltered_rad);
-  const double play_rad = position_play(bench, levels);
+  RawMotion raw;
+  const JointMotion motion = read_own_motion(grid, bench, levels, raw);
   const std::vector<double> direction =
       grid.is_map() ? std::vector<double>(grid.count(), 0.0)
-                    : directions(motion.velocity_rad_s, unfiltered_rad,
-                                 {play_rad / kPlayDeviations, options.cutoff_Hz, grid.step_s()});
+                    : directions(motion.velocity_rad_s, raw, options.cutoff_Hz);
   Signals signals;
   signals.pole_pairs = actuator.motor.pole_pairs;
   set_time(grid, signals);
@@ -191,14 +228,17 @@ Signals raw_signals(ChannelGrid& grid, const Bench& bench, const NoiseLevels& le
   signals.filtered_direction = grid.filtered(direction);
   set_voltage(grid, bench, signals);
   signals.bus_V = grid.read_if_any(Quantity::kBusVoltage);
-  read_logged_speeds(grid, signals);
+  read_logged_speeds(grid, bench, signals);
   set_twist(grid, motor_angle_rad, actuator.transmission.ratio, motion, signals);
   set_drive(grid, bench, levels, options.cutoff_Hz, signals);
   std::vector<std::uint8_t> rest;
   if (!grid.is_map())
-    rest = rests(grid, bench, motion, unfiltered_rad, play_rad, options.cutoff_Hz);
-  set_usable(grid, run, rest, signals);
-  if (!signals.bus_V.empty() && bench.drive == Drive::kCurrent) {
+    rest = rests(grid, bench, motion, raw, play_of(raw, options.cutoff_Hz), options.cutoff_Hz);
+  set_usable(grid, rest, signals);
+  const bool is_known =
+      bench.drive == Drive::kCurrent || bench.drive == Drive::kVoltage ||
+      (bench.drive == Drive::kTorque && bench.drive_channel == Quantity::kReportedTorque);
+  if (!signals.bus_V.empty() && is_known) {
     signals.bus_A = bus_current_A(grid, actuator, signals);
   }
   if (bench.load_side == LoadSide::kSensor) signals.load_side_Nm = grid.read(bench.load_channel);
@@ -279,7 +319,7 @@ std::optional<Signals> prepare_run(const Log& log, std::size_t index, const Benc
   const Run& run = piece.run;
   if (!is_long_enough(run)) return std::nullopt;
   ChannelGrid grid(run, bench.joint, options, random);
-  Signals signals = raw_signals(grid, bench, levels, options, run);
+  Signals signals = raw_signals(grid, bench, levels, options);
   signals.run = index;
   signals.run_name = head.name;
   set_arm(run, bench, options, random, signals);
@@ -293,8 +333,8 @@ std::optional<Signals> prepare_run(const Log& log, std::size_t index, const Benc
     thin(signals, factor);
   }
   set_loads(signals, bench);
-  signals.core_begin = thinned(piece.begin, factor);
-  signals.core_end = thinned(piece.end, factor);
+  signals.core_begin = thinned(grid.sample_of(piece.begin), factor);
+  signals.core_end = thinned(grid.sample_of(piece.end), factor);
   return signals;
 }
 

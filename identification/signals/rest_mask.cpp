@@ -52,6 +52,14 @@ double position_play(const Bench& bench, const NoiseLevels& levels) {
   return kPlayDeviations * deviation;
 }
 
+double speed_deviation(const Bench& bench, const NoiseLevels& levels) {
+  const auto level = [&](Quantity quantity) { return levels[static_cast<std::size_t>(quantity)]; };
+  if (bench.encoders == Encoders::kMotor) {
+    return level(Quantity::kMotorVelocity) / std::abs(bench.actuator().transmission.ratio);
+  }
+  return level(bench.is_linear ? Quantity::kLinearVelocity : Quantity::kOutputVelocity);
+}
+
 std::vector<std::uint8_t> rest_mask(const std::vector<double>& velocity_rad_s, double play_rad,
                                     double step_s, double longer_than_s) {
   const std::size_t n = velocity_rad_s.size();

@@ -16,6 +16,10 @@ constexpr double kPlayDeviations = 3.0;
 /// best channel.
 double position_play(const Bench& bench, const NoiseLevels& levels);
 
+/// Standard deviation of the noise on the velocity that tells the output's motion, in rad/s (or
+/// m/s).
+double speed_deviation(const Bench& bench, const NoiseLevels& levels);
+
 /// Rests longer than this are masked (docs/derivations/identification.md section 3).
 constexpr double kStandstill_s = 0.015;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identification/signals/rows.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -52,6 +54,34 @@ double row_block_s(const std::vector<Signals>& signals, double usual_s) {
 }
 
 }  // namespace
+
+std::string what_would_help(const std::vector<Signals>& signals) {
+  double all = 0.0, masked = 0.0, at_rest = 0.0;
+  for (const Signals& stretch : signals) {
+    for (std::size_t i = 0; i < stretch.size(); ++i) {
+      all += 1.0;
+      if (stretch.masked[i] != 0) {
+        masked += 1.0;
+      } else if (stretch.usable[i] == 0) {
+        at_rest += 1.0;
+      }
+    }
+  }
+  if (2.0 * masked > all) {
+    return fmt::format(
+        "{:.0f} % of the samples are masked, so that a drive that stays on and a "
+        "recorder without pauses and faults would help",
+        100.0 * masked / all);
+  }
+  if (2.0 * at_rest > all) {
+    return fmt::format(
+        "in {:.0f} % of the samples the output rests or moves more slowly than the "
+        "noise of its position lets see, so that a faster motion, or a velocity or "
+        "a position with less noise, would help",
+        100.0 * at_rest / all);
+  }
+  return "a longer log";
+}
 
 Rows::Rows(const std::vector<Signals>& signals, const std::vector<std::size_t>& fold_of_run,
            const Options& options)

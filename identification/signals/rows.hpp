@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "identification/signals/signals.hpp"
@@ -10,6 +11,9 @@
 namespace torquewright::identification {
 
 constexpr std::size_t kHeldOut = static_cast<std::size_t>(-1);
+
+/// Says what would help where too few samples are usable: of what leaves most of them out.
+std::string what_would_help(const std::vector<Signals>& signals);
 
 /// A function that returns a stretch's values, one for each sample.
 using OfStretch = std::function<std::vector<double>(const Signals&)>;

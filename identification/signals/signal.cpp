@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "optimization/fit/quantile.hpp"
 
@@ -12,7 +13,79 @@ namespace {
 
 constexpr double kPassesAllAbove = 0.45;  ///< Of the sampling rate.
 constexpr double kMadToDeviation = 1.4826;
+constexpr std::size_t kLeastOfNoise = 16;       ///< Samples.
 constexpr double kFifthDifferenceNorm = 252.0;  ///< Sum of the squares of 1 5 10 10 5 1.
+
+constexpr std::size_t kOfDifference = 6;  ///< Samples of a fifth difference.
+constexpr double kEven = 1e-6;            ///< Of a step: times that differ by less are even.
+/// Of the distance of the two samples around a time: the next on either side are no nearer.
+constexpr double kNextSample = 0.5;
+
+double linear_at(std::span<const double> time_s, std::span<const double> signal, std::size_t at,
+                 double t_s) {
+  const double share = std::clamp((t_s - time_s[at]) / (time_s[at + 1] - time_s[at]), 0.0, 1.0);
+  return signal[at] + share * (signal[at + 1] - signal[at]);
+}
+
+/// The samples of a cubic between `at` and the next; nothing next to an end.
+std::optional<std::array<std::size_t, 4>> four_around(std::span<const double> time_s,
+                                                      std::size_t at) {
+  const double apart_s = kNextSample * (time_s[at + 1] - time_s[at]);
+  std::size_t before = at, after = at + 1;
+  while (before > 0 && (before == at || time_s[at] - time_s[before] < apart_s)) --before;
+  while (after + 1 < time_s.size() &&
+         (after == at + 1 || time_s[after] - time_s[at + 1] < apart_s)) {
+    ++after;
+  }
+  if (time_s[at] - time_s[before] < apart_s || time_s[after] - time_s[at + 1] < apart_s) return {};
+  return std::array{before, at, at + 1, after};
+}
+
+double lagrange(std::span<const double> time_s, std::span<const double> signal,
+                const std::array<std::size_t, 4>& four, double t_s) {
+  double value = 0.0;
+  for (const std::size_t i : four) {
+    double weight = 1.0;
+    for (const std::size_t j : four) {
+      if (j != i) weight *= (t_s - time_s[j]) / (time_s[i] - time_s[j]);
+    }
+    value += weight * signal[i];
+  }
+  return value;
+}
+
+bool are_even(std::span<const double> time_s) {
+  const double step_s = (time_s.back() - time_s.front()) / static_cast<double>(time_s.size() - 1);
+  for (std::size_t i = 1; i < time_s.size(); ++i) {
+    if (std::abs(time_s[i] - time_s[i - 1] - step_s) > kEven * step_s) return false;
+  }
+  return true;
+}
+
+/// Fifth difference of six samples over the norm of its weights.
+double even_difference(std::span<const double> six) {
+  return (six[5] - 5.0 * six[4] + 10.0 * six[3] - 10.0 * six[2] + 5.0 * six[1] - six[0]) /
+         std::sqrt(kFifthDifferenceNorm);
+}
+
+double divided_difference(std::span<const double> time_s, std::span<const double> six) {
+  double difference = 0.0, square = 0.0;
+  const double span_s = time_s.back() - time_s.front();
+  for (std::size_t i = 0; i < six.size(); ++i) {
+    double weight = 1.0;
+    for (std::size_t j = 0; j < six.size(); ++j) {
+      if (j != i) weight *= span_s / (time_s[i] - time_s[j]);
+    }
+    difference += weight * six[i];
+    square += weight * weight;
+  }
+  return difference / std::sqrt(square);
+}
+
+double deviation_of(std::vector<double> differences) {
+  for (double& each : differences) each = std::abs(each);
+  return kMadToDeviation * optimization::median(std::move(differences));
+}
 
 }  // namespace
 
@@ -87,6 +160,19 @@ std::vector<double> derivative(std::span<const double> signal, double step_s) {
   return slope;
 }
 
+std::vector<double> resampled_linearly(std::span<const double> time_s,
+                                       std::span<const double> signal, double start_s,
+                                       double step_s, std::size_t count) {
+  std::vector<double> values(count);
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double t_s = start_s + static_cast<double>(k) * step_s;
+    while (at + 2 < time_s.size() && time_s[at + 1] < t_s) ++at;
+    values[k] = linear_at(time_s, signal, at, t_s);
+  }
+  return values;
+}
+
 std::vector<double> resampled(std::span<const double> time_s, std::span<const double> signal,
                               double start_s, double step_s, std::size_t count) {
   std::vector<double> values(count);
@@ -94,8 +180,8 @@ std::vector<double> resampled(std::span<const double> time_s, std::span<const do
   for (std::size_t k = 0; k < count; ++k) {
     const double t_s = start_s + static_cast<double>(k) * step_s;
     while (at + 2 < time_s.size() && time_s[at + 1] < t_s) ++at;
-    const double share = std::clamp((t_s - time_s[at]) / (time_s[at + 1] - time_s[at]), 0.0, 1.0);
-    values[k] = signal[at] + share * (signal[at + 1] - signal[at]);
+    const auto four = four_around(time_s, at);
+    values[k] = four ? lagrange(time_s, signal, *four, t_s) : linear_at(time_s, signal, at, t_s);
   }
   return values;
 }
@@ -126,14 +212,23 @@ std::vector<double> advanced(std::span<const double> signal, double delay_s, dou
 }
 
 double noise_level(std::span<const double> signal) {
-  if (signal.size() < 16) return 0.0;
-  std::vector<double> differences(signal.size() - 5);
-  for (std::size_t i = 0; i + 5 < signal.size(); ++i) {
-    differences[i] = std::abs(signal[i + 5] - 5.0 * signal[i + 4] + 10.0 * signal[i + 3] -
-                              10.0 * signal[i + 2] + 5.0 * signal[i + 1] - signal[i]);
+  if (signal.size() < kLeastOfNoise) return 0.0;
+  std::vector<double> differences(signal.size() - kOfDifference + 1);
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    differences[i] = even_difference(signal.subspan(i, kOfDifference));
   }
-  return kMadToDeviation * optimization::median(std::move(differences)) /
-         std::sqrt(kFifthDifferenceNorm);
+  return deviation_of(std::move(differences));
+}
+
+double noise_level(std::span<const double> time_s, std::span<const double> signal) {
+  if (signal.size() < kLeastOfNoise) return 0.0;
+  std::vector<double> differences(signal.size() - kOfDifference + 1);
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    const auto times_s = time_s.subspan(i, kOfDifference);
+    const auto six = signal.subspan(i, kOfDifference);
+    differences[i] = are_even(times_s) ? even_difference(six) : divided_difference(times_s, six);
+  }
+  return deviation_of(std::move(differences));
 }
 
 }  // namespace torquewright::identification

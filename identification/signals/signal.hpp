@@ -38,6 +38,13 @@ class LowPass {
 std::vector<double> derivative(std::span<const double> signal, double step_s);
 
 /// Interpolates the signal linearly at times start + k step. Requires ascending times.
+std::vector<double> resampled_linearly(std::span<const double> time_s,
+                                       std::span<const double> signal, double start_s,
+                                       double step_s, std::size_t count);
+
+/// The same by the cubic through four samples: the two around a time, and on either side the next
+/// that is half as far away as these are apart, so that times next to one another weigh no more
+/// than others. Linear next to an end.
 std::vector<double> resampled(std::span<const double> time_s, std::span<const double> signal,
                               double start_s, double step_s, std::size_t count);
 
@@ -54,5 +61,9 @@ std::vector<double> advanced(std::span<const double> signal, double delay_s, dou
 /// Standard deviation of white noise on a smooth signal: 1.4826 times the median magnitude of fifth
 /// differences over sqrt(252), the norm of their weights.
 double noise_level(std::span<const double> signal);
+
+/// The same of samples at any ascending times, by fifth divided differences, each over the norm of
+/// its weights. At even times it is noise_level(signal).
+double noise_level(std::span<const double> time_s, std::span<const double> signal);
 
 }  // namespace torquewright::identification

@@ -31,9 +31,9 @@ std::vector<double> directions_of(const std::vector<double>& position_rad, doubl
                                   bool is_position_known) {
   std::vector<double> low = position_rad;
   LowPass(kCutoff_Hz, 1.0 / kStep_s).apply(low);
-  return directions(derivative(low, kStep_s),
-                    is_position_known ? position_rad : std::vector<double>(),
-                    {deviation_rad, kCutoff_Hz, kStep_s});
+  const RawMotion raw{is_position_known ? position_rad : std::vector<double>(), false,
+                      deviation_rad, kStep_s};
+  return directions(derivative(low, kStep_s), raw, kCutoff_Hz);
 }
 
 /// When it went from -1 to 1: the integral of a step from -1 to 1 is T - 2 (reversal).

@@ -137,10 +137,73 @@ TEST(Resampled, IsExactOnStraightLines) {
   while (time_s.size() < 300) time_s.push_back(time_s.back() + step(random));
   std::vector<double> line;
   for (const double t : time_s) line.push_back(3.0 - 2.0 * t);
-  const std::vector<double> values = resampled(time_s, line, 0.21, 1e-3, 200);
+  const std::vector<double> values = resampled_linearly(time_s, line, 0.21, 1e-3, 200);
   for (std::size_t k = 0; k < values.size(); ++k) {
     EXPECT_NEAR(values[k], 3.0 - 2.0 * (0.21 + 1e-3 * static_cast<double>(k)), 1e-14);
   }
+}
+
+/// Times of a step of 10 ms that jitter by half a step either way, at the most.
+std::vector<double> jittered_s(std::size_t count) {
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> jitter(-0.49, 0.49);
+  std::vector<double> time_s;
+  for (std::size_t i = 0; i < count; ++i) {
+    time_s.push_back(0.01 * (static_cast<double>(i) + jitter(random)));
+  }
+  return time_s;
+}
+
+// Oracle: closed form. Fifth divided differences of a polynomial of degree four are zero at any
+// times; those over the index are not.
+TEST(NoiseLevel, IsBlindToASmoothSignalAtUnevenTimes) {
+  const std::vector<double> time_s = jittered_s(400);
+  std::vector<double> quartic;
+  for (const double t : time_s) quartic.push_back(t - 0.3 * t * t * t * t);
+  EXPECT_LT(noise_level(time_s, quartic), 1e-11);
+  EXPECT_GT(noise_level(quartic), 1e-3);
+}
+
+// Oracle: the deviation put in. The median of 100 000 differences, neighbours among them alike, is
+// known to about 1 %.
+TEST(NoiseLevel, IsThatOfWhiteNoiseAtUnevenTimes) {
+  const std::vector<double> time_s = jittered_s(100000);
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> noise(0.0, 0.2);
+  std::vector<double> values;
+  for (const double t : time_s) values.push_back(3.0 * std::sin(4.0 * t) + noise(random));
+  EXPECT_NEAR(noise_level(time_s, values), 0.2, 0.006);
+}
+
+// Oracle: closed form. Through four samples of a cubic goes that cubic; next to an end it is a
+// line.
+TEST(Resampled, IsExactOnCubicsAtUnevenTimes) {
+  const std::vector<double> time_s = jittered_s(300);
+  const auto cubic = [](double t) { return 1.0 + t * (2.0 - t * (3.0 - t)); };
+  std::vector<double> values;
+  for (const double t : time_s) values.push_back(cubic(t));
+  const std::vector<double> even = resampled(time_s, values, 0.05, 0.01, 280);
+  for (std::size_t k = 0; k < even.size(); ++k) {
+    EXPECT_NEAR(even[k], cubic(0.05 + 0.01 * static_cast<double>(k)), 1e-12) << k;
+  }
+}
+
+// Oracle: white noise. Two samples next to one another say no slope: the cubic never makes more of
+// noise than half as much again, where one through the next four would make ten times as much.
+TEST(Resampled, MakesLittleOfNoiseWhereTimesCrowd) {
+  std::vector<double> time_s;
+  for (int i = 0; i < 4000; ++i) {
+    time_s.push_back(0.01 * i);
+    time_s.push_back(0.01 * i + 1e-4);
+  }
+  std::mt19937_64 random(6);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  std::vector<double> values(time_s.size());
+  for (double& value : values) value = noise(random);
+  const std::vector<double> even = resampled(time_s, values, 0.105, 0.01, 3900);
+  double square = 0.0;
+  for (const double value : even) square += value * value;
+  EXPECT_LT(std::sqrt(square / 3900.0), 1.5);
 }
 
 TEST(Advanced, MovesAStraightLineAndHoldsItsEnd) {

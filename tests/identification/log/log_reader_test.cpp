@@ -214,18 +214,36 @@ TEST(ReadLog, CutsAtGapsAndSaysSo) {
             Weight::kWarning);
 }
 
+/// A log of 100 Hz that skips a time before a row, and a second run.
+ReadLog with_skip(int at, double skipped_s, const char* position = "1") {
+  std::string text = "run,t,q\n";
+  for (int i = 0; i < 1600; ++i) {
+    text += fmt::format("a,{:.5f},{}\n", 0.01 * i + (i < at ? 0.0 : skipped_s),
+                        i < at ? "1" : position);
+  }
+  return read({{"m.csv", text + "b,0,1\nb,1,1\n"}}, kRuns);
+}
+
 // Just inside and just outside of 5 medians, before and after the median is known.
-TEST(ReadLog, CutsAtFiveTimesTheMedianStep) {
+TEST(ReadLog, SaysWhereAStepIsLongerThanFiveMedians) {
   for (const int at : {50, 1300}) {
-    for (const auto& [skipped_s, stretches] :
-         std::vector<std::pair<double, std::size_t>>{{0.0399, 1}, {0.0401, 2}}) {
-      std::string text = "run,t,q\n";
-      for (int i = 0; i < 1600; ++i) {
-        text += fmt::format("a,{:.5f},1\n", 0.01 * i + (i < at ? 0.0 : skipped_s));
-      }
-      const ReadLog result = read({{"m.csv", text + "b,0,1\nb,1,1\n"}}, kRuns);
-      EXPECT_EQ(result.log.runs.size(), stretches + 1) << at << " " << skipped_s;
-    }
+    EXPECT_EQ(with_skip(at, 0.0399).finding("pauses").sentence, "") << at;
+    const ReadLog paused = with_skip(at, 0.0401);
+    EXPECT_EQ(paused.finding("run \"a\" pauses 1 time, at the longest for 0.0501 s").weight,
+              Weight::kWarning)
+        << at;
+    EXPECT_EQ(paused.log.runs.size(), 2u) << at;
+  }
+}
+
+// Just inside and just outside of a period of 8 Hz; and across an angle that may have turned either
+// way.
+TEST(ReadLog, CutsAtAPauseThatHidesAPeriodOfTheBand) {
+  for (const int at : {50, 1300}) {
+    EXPECT_EQ(with_skip(at, 0.1149).log.runs.size(), 2u) << at;
+    EXPECT_EQ(with_skip(at, 0.1151).log.runs.size(), 3u) << at;
+    EXPECT_EQ(with_skip(at, 0.05, "2.57").log.runs.size(), 2u) << at;  // 1.57 rad on
+    EXPECT_EQ(with_skip(at, 0.05, "2.58").log.runs.size(), 3u) << at;
   }
 }
 
