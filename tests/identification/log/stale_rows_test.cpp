@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "tests/identification/log/written_log.hpp"
 
@@ -108,6 +109,49 @@ TEST(Resolution, IsWhatStepsDifferByLeast) {
   Resolution written;  // to 5 digits: 0.08789 and 0.08790 are one count
   for (const double step : {0.08789, 0.08790, 0.17578, 0.08789}) written.add(step, 1e-5);
   EXPECT_NEAR(written.least(), 0.08789, 2e-5);
+}
+
+/// Asked for at 350 Hz what is new at 50: both channels with noise, so that a row that repeats is
+/// never rest. From `still_s` on nothing is new for two seconds.
+std::string polled(double still_s) {
+  std::mt19937_64 random(7);
+  std::normal_distribution<double> noise(0.0, 1e-3);
+  std::string text = "t,q,i\n", said;
+  int last = -1;
+  for (int row = 0; row < 4200; ++row) {
+    const double t = row / 350.0;
+    const int word = t < still_s || t >= still_s + 2.0 ? static_cast<int>(50.0 * t + 1e-6) : last;
+    if (word != last) {
+      const double said_s = 0.02 * word;
+      said = fmt::format("{:.6f},{:.6f}", 0.2 * std::sin(0.8 * said_s) + noise(random),
+                         std::cos(0.8 * said_s) + noise(random));
+    }
+    last = word;
+    text += fmt::format("{:.6f},{}\n", t, said);
+  }
+  return text;
+}
+
+TEST(StaleRows, OfARecorderThatAsksTooSoonLeaveOneForEachWord) {
+  const ReadLog result = read({{"a.csv", polled(1e9)}}, kRig);
+  ASSERT_EQ(result.refusal, "");
+  EXPECT_EQ(rows_of(result), 600u);
+  EXPECT_NE(result.finding("come at an even pace, asked for too soon").sentence, "");
+  EXPECT_EQ(result.finding("pauses").sentence, "");
+  for (const auto& run : result.log.runs) {
+    for (std::size_t row = 1; row < run.time_s.size(); ++row) {
+      EXPECT_NEAR(run.time_s[row] - run.time_s[row - 1], 0.02, 1e-5);  // 1 step over 600 words
+    }
+  }
+}
+
+// Where nothing is new for long it is rest, which keeps rows: none is further than two words from
+// the next.
+TEST(StaleRows, OfARecorderThatAsksTooSoonKeepRest) {
+  const ReadLog result = read({{"a.csv", polled(5.0)}}, kRig);
+  ASSERT_EQ(result.refusal, "");
+  EXPECT_GT(rows_of(result), 550u);
+  EXPECT_EQ(result.finding("pauses").sentence, "");
 }
 
 }  // namespace
