@@ -72,8 +72,9 @@ void keep_rows(Run& run, const std::vector<std::size_t>& rows) {
 }
 
 /// Puts times on the line through them and their count of paces, where none is further from it than
-/// the recorder's step.
+/// the recorder's step, and so that pieces of a stretch stay in their order.
 void even_out(std::vector<double>& time_s, double pace, double step_s) {
+  if (2.0 * step_s >= pace) return;
   std::vector<double> count(time_s.size(), 0.0);
   double n = 0.0, sum_k = 0.0, sum_t = 0.0, sum_kk = 0.0, sum_kt = 0.0;
   for (std::size_t i = 0; i < time_s.size(); ++i) {
