@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identification/answer/analysis.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <optional>
 
@@ -156,6 +158,19 @@ class JointAnalysis {
     }
   }
 
+  /// Why the balance of torques speaks against friction that a simulation found: beside what lasts
+  /// of the balance's certain names it raises the error there. Empty if it does not.
+  std::string harm_of_standstill(const NamedEffect& law, const EquationResult& torque) {
+    const actuator::Actuator without = with_effects(*bench_.actuators[bench_.joint],
+                                                    first_of_each_name(beside_standstill(torque)));
+    const std::optional<Errors> before = errors_with(without, {torque}).front();
+    const std::optional<Errors> after =
+        errors_with(with_standstill(without, law), {torque}).front();
+    if (!before || !after || !breaks_promise(*before, *after, torque.noise_floor_rms)) return "";
+    return fmt::format("in {} it raises the error, {:.4g} -> {:.4g} {}", torque.quantity,
+                       before->train_rms, after->train_rms, torque.unit);
+  }
+
   /// Friction that only a simulation finds is stated to the torque balance, which is then asked
   /// again; what it left before stays what the nominal actuator left.
   void add_torque_and_position(const HeldSignals& held, std::vector<EquationResult>& results) {
@@ -163,8 +178,13 @@ class JointAnalysis {
     say("simulating the log", 0.75);
     const PositionInput source{bench_, held.rows, held.replica, held_out()};
     std::optional<EquationResult> position = study_position(source, torque, options_.select);
-    if (position && !position->added.empty() && !options_.asks(position->added.front().effect)) {
-      position = study_position(source, torque, false);
+    if (position && !position->added.empty()) {
+      const NamedEffect law = position->added.front();
+      const std::string harm = harm_of_standstill(law, torque);
+      if (!harm.empty() || !options_.asks(law.effect)) {
+        position = study_position(source, torque, false);
+        if (!harm.empty()) position->rejected.push_back({law.effect, harm});
+      }
     }
     if (position && !position->added.empty()) {
       const actuator::Actuator& nominal = *bench_.actuators[bench_.joint];

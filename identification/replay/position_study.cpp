@@ -122,6 +122,10 @@ std::string replaced_by(const actuator::Actuator& nominal) {
 
 }  // namespace
 
+std::vector<NamedEffect> beside_standstill(const EquationResult& torque) {
+  return lasting(sure_of(torque));
+}
+
 std::optional<EquationResult> study_position(const PositionInput& input,
                                              const EquationResult& torque, bool select) {
   const Bench& bench = input.bench;

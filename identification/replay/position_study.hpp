@@ -25,4 +25,8 @@ struct PositionInput {
 std::optional<EquationResult> study_position(const PositionInput& input,
                                              const EquationResult& torque, bool select);
 
+/// Returns what a torque balance named for certain, without what standstill may have been taken
+/// for: what the friction that a simulation finds has to go together with.
+std::vector<NamedEffect> beside_standstill(const EquationResult& torque);
+
 }  // namespace torquewright::identification
