@@ -8,6 +8,7 @@
 #include "identification/answer/analysis.hpp"
 #include "identification/findings/undetermined.hpp"
 #include "identification/findings/with_effects.hpp"
+#include "identification/findings/written.hpp"
 #include "identification/forward/candidates.hpp"
 
 namespace torquewright::identification {
@@ -129,24 +130,11 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
 
 namespace {
 
-bool is_trusted(const EquationResult& equation) {
-  return equation.verdict != Verdict::kUnexplained && equation.not_one_rig.empty();
-}
-
-std::vector<const NamedEffect*> certain_of_actuator(const EquationResult& equation) {
-  std::vector<const NamedEffect*> certain;
-  for (const NamedEffect& effect : equation.added) {
-    if (!is_trusted(equation) || effect.family != EffectFamily::kActuator) continue;
-    if (is_certain(equation, effect.effect)) certain.push_back(&effect);
-  }
-  return certain;
-}
-
-/// Values belong to the model that they were fitted in: they go with one that is certain.
-std::vector<const Correction*> certain_corrections(const EquationResult& equation) {
+/// Values belong to the model that they were fitted in: they go with an effect of it.
+std::vector<const Correction*> written_corrections(const EquationResult& equation) {
   std::vector<const Correction*> certain;
   const bool is_settled = equation.verdict != Verdict::kCannotTell;
-  if (!is_trusted(equation) || (!is_settled && certain_of_actuator(equation).empty())) return {};
+  if (!is_trusted(equation) || (!is_settled && written_of(equation).empty())) return {};
   for (const Correction& each : equation.corrected) {
     if (each.pointer.rfind("/load/", 0) != 0) certain.push_back(&each);
   }
@@ -182,17 +170,41 @@ void erase_effects(nlohmann::ordered_json& document, const std::string& replaced
   }
 }
 
+/// The same equation of what was judged; null where there is none.
+const EquationResult* same_equation(const Identification* judged, const EquationResult& equation) {
+  if (judged == nullptr) return nullptr;
+  const auto same = std::find_if(
+      judged->equations.begin(), judged->equations.end(), [&](const EquationResult& each) {
+        return each.joint == equation.joint && each.quantity == equation.quantity;
+      });
+  return same == judged->equations.end() ? nullptr : &*same;
+}
+
+nlohmann::ordered_json provenance_of(const NamedEffect& effect, const EquationResult& equation,
+                                     const nlohmann::ordered_json& logs,
+                                     const Identification* judged) {
+  nlohmann::ordered_json provenance = {{"source", "identified"}, {"logs", logs}};
+  const EquationResult* with_document = same_equation(judged, equation);
+  provenance["holdout_rms_before"] = equation.before.holdout_rms;
+  provenance["holdout_rms_after"] = nullptr;
+  if (with_document != nullptr) provenance["holdout_rms_after"] = with_document->before.holdout_rms;
+  provenance["unit"] = equation.unit;
+  const std::vector<std::string> others = undecided_with(equation, effect.effect);
+  if (!others.empty()) provenance["undecided"] = others;
+  return provenance;
+}
+
 }  // namespace
 
-bool has_anything_certain(const Identification& found) {
+bool has_anything_to_write(const Identification& found) {
   if (found.verdict == Verdict::kNothingMissing) return true;
   return std::any_of(found.equations.begin(), found.equations.end(), [](const auto& each) {
-    return !certain_of_actuator(each).empty() || !certain_corrections(each).empty();
+    return !written_of(each).empty() || !written_corrections(each).empty();
   });
 }
 
-nlohmann::ordered_json refined_actuator(const Identification& found,
-                                        const JointActuator& actuator) {
+nlohmann::ordered_json refined_actuator(const Identification& found, const JointActuator& actuator,
+                                        const Identification* judged) {
   nlohmann::ordered_json document =
       nlohmann::ordered_json::parse(actuator.nominal.documents.front().root.dump());
   if (!document.contains("effects")) document["effects"] = nlohmann::ordered_json::array();
@@ -202,20 +214,16 @@ nlohmann::ordered_json refined_actuator(const Identification& found,
   std::set<std::string> written;
   for (const EquationResult& equation : found.equations) {
     if (equation.joint != actuator.joint) continue;
-    for (const NamedEffect* named : certain_of_actuator(equation)) {
+    for (const NamedEffect* named : written_of(equation)) {
       const NamedEffect effect = with_what_is_determined(*named);
       if (!written.insert(effect.effect).second) continue;  // Another equation has it too.
       if (!effect.replaces.empty()) erase_effects(document, effect.replaces);
       nlohmann::ordered_json entry = {{"effect", effect.effect}, {"parameters", effect.parameters}};
       entry["standard_error"] = effect.standard_error;
-      entry["provenance"] = {{"source", "identified"},
-                             {"logs", logs},
-                             {"holdout_rms_before", effect.holdout_rms_before},
-                             {"holdout_rms_after", effect.holdout_rms_after},
-                             {"unit", equation.unit}};
+      entry["provenance"] = provenance_of(effect, equation, logs, judged);
       document["effects"].push_back(std::move(entry));
     }
-    for (const Correction* correction : certain_corrections(equation)) {
+    for (const Correction* correction : written_corrections(equation)) {
       const nlohmann::ordered_json::json_pointer pointer(correction->pointer);
       if (document.contains(pointer)) document[pointer] = correction->value;
     }

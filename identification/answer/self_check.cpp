@@ -4,20 +4,27 @@
 #include <fmt/format.h>
 
 #include "identification/findings/doubts.hpp"
+#include "identification/findings/written.hpp"
+#include "identification/signals/uncertain.hpp"
 
 namespace torquewright::identification {
 namespace {
 
+/// What is to be left; where a name was doubted since, no more than as stated.
+Errors promised_by(const EquationResult& promised) {
+  std::vector<std::string> effects;
+  for (const NamedEffect* each : written_of(promised)) effects.push_back(each->effect);
+  return effects == promised.promise.effects ? promised.promise.errors : promised.before;
+}
+
 std::string broken_in(const EquationResult& promised, const EquationResult& kept) {
-  const bool is_broken =
-      breaks_promise(promised.with_certain, kept.before, promised.noise_floor_rms);
-  if (!is_broken) return "";
+  const Errors errors = promised_by(promised);
+  if (!breaks_promise(errors, kept.before, promised.noise_floor_rms)) return "";
   return fmt::format(
       "{}{}: with the refined document the error is {:.4g} {} on fitted and {:.4g} {} on held-out "
       "runs; {:.4g} and {:.4g} were promised: it is not written",
       promised.joint.empty() ? "" : promised.joint + ": ", promised.quantity, kept.before.train_rms,
-      promised.unit, kept.before.holdout_rms, promised.unit, promised.with_certain.train_rms,
-      promised.with_certain.holdout_rms);
+      promised.unit, kept.before.holdout_rms, promised.unit, errors.train_rms, errors.holdout_rms);
 }
 
 /// What named nothing may not get worse by what others named; but of what is simulated in windows
@@ -28,19 +35,21 @@ bool is_checked(const EquationResult& promised) {
 
 }  // namespace
 
-std::string broken_promise(const std::vector<std::filesystem::path>& logs, const Rig& rig,
-                           const std::vector<JointActuator>& refined, const Identification& found) {
+Identification as_written(const std::vector<std::filesystem::path>& logs, Rig rig,
+                          const std::vector<JointActuator>& refined, const Identification& found) {
   IdentifyOptions options;
   options.select = false;
   for (const EquationResult& each : found.equations) {
     if (each.band_Hz > 0.0) options.analysis.band_Hz[{each.joint, each.quantity}] = each.band_Hz;
   }
-  Rig as_written = rig;  // Nothing of the document is open any more.
-  as_written.uncertain.clear();
-  const Identification again = identify(logs, as_written, refined, options);
+  std::erase_if(rig.uncertain, [](const std::string& pointer) { return !is_of_load(pointer); });
+  return identify(logs, rig, refined, options);
+}
+
+std::string broken_promise(const Identification& found, const Identification& judged) {
   for (const EquationResult& promised : found.equations) {
-    const bool has_promise = promised.with_certain.train_rms > 0.0 && is_checked(promised);
-    for (const EquationResult& kept : again.equations) {
+    const bool has_promise = promised.promise.errors.train_rms > 0.0 && is_checked(promised);
+    for (const EquationResult& kept : judged.equations) {
       if (!has_promise || kept.joint != promised.joint || kept.quantity != promised.quantity)
         continue;
       const std::string broken = broken_in(promised, kept);

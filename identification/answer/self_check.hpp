@@ -9,10 +9,15 @@
 
 namespace torquewright::identification {
 
-/// Checks that refined actuators, as their own documents state them, leave the errors that were
-/// promised: the logs are read and their errors computed once more. Empty if they do, else a
-/// sentence with equation, promise and result. `refined` holds the documents of all joints.
-std::string broken_promise(const std::vector<std::filesystem::path>& logs, const Rig& rig,
-                           const std::vector<JointActuator>& refined, const Identification& found);
+/// Returns what the logs say of refined actuators as their own documents state them: their errors
+/// without a search, on the runs and in the bands of what was found, as `identify residual` has
+/// them. What the documents hold is not open any more, values of the load are. `refined` holds the
+/// documents of all joints.
+Identification as_written(const std::vector<std::filesystem::path>& logs, Rig rig,
+                          const std::vector<JointActuator>& refined, const Identification& found);
+
+/// Checks that they leave the errors that were promised. Empty if they do, else a sentence with
+/// equation, promise and result.
+std::string broken_promise(const Identification& found, const Identification& judged);
 
 }  // namespace torquewright::identification

@@ -86,6 +86,12 @@ struct ModelWithinNoise {
   std::string decided_by;
 };
 
+/// Errors that a refined document with these effects is to leave.
+struct Promise {
+  std::vector<std::string> effects;
+  Errors errors;
+};
+
 enum class Verdict { kExplained, kPartlyExplained, kUnexplained, kNothingMissing, kCannotTell };
 std::string_view name_of(Verdict verdict);
 
@@ -97,8 +103,8 @@ struct EquationResult {
   double band_Hz = 0.0;
   double noise_floor_rms = 0.0;
   Errors before, after;
-  /// Errors with only what is certain of the actuator: what a refined document leaves.
-  Errors with_certain;
+  Errors with_certain;  ///< Errors with only what is certain of the actuator.
+  Promise promise;      ///< What a refined document leaves.
   std::vector<NamedEffect> added;
   std::vector<Correction> corrected;
   std::vector<Rejection> rejected;

@@ -12,9 +12,10 @@
 #include "identification/findings/doubts.hpp"
 #include "identification/findings/undetermined.hpp"
 #include "identification/findings/verdict.hpp"
-#include "identification/forward/sample_step.hpp"
-#include "identification/selection/comparison.hpp"
+#include "identification/findings/written.hpp"
+#include "identification/selection/asked.hpp"
 #include "identification/selection/errors.hpp"
+#include "identification/selection/instant.hpp"
 #include "identification/selection/judgement.hpp"
 #include "identification/selection/line_traces.hpp"
 #include "identification/selection/models_within_noise.hpp"
@@ -28,11 +29,8 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr std::size_t kLeastTrainingBlocks = 6;    ///< In training, to say anything.
-constexpr double kBands_Hz[] = {8.0, 16.0, 24.0};  ///< Below the signals' own.
-constexpr double kClearlyMore = 1.2;
+constexpr std::size_t kLeastTrainingBlocks = 6;  ///< In training, to say anything.
 constexpr double kAgreeing = 0.25;  ///< Of a change, that two equations may differ by and agree.
-constexpr double kKnown = 0.5;  ///< Relative error, at most, of an uncertain value that is fitted.
 
 std::vector<ResidualStructure> structure_left(const Rows& rows, const Eigen::VectorXd& residual) {
   std::vector<ResidualTrace> traces;
@@ -222,22 +220,37 @@ void append_groups(const Bench& bench, const ForwardEquation& equation, const Fo
   }
 }
 
-/// What the model leaves without the effects that are not the actuator's, or that are not certain.
-Errors errors_with_certain(const ModelFitter& fitter, const ModelFit& best,
-                           const EquationResult& result) {
-  EffectSet certain;
+/// What the model leaves with some of its members alone, by their names.
+Errors errors_with(const ModelFitter& fitter, const ModelFit& best,
+                   const std::vector<std::string>& names) {
+  EffectSet kept;
   std::vector<double> coordinates(best.coordinates.data(), best.coordinates.data() + best.always);
   for (std::size_t m = 0; m < best.members.size(); ++m) {
     const EffectCandidate& member = *best.members[m];
-    if (member.family != EffectFamily::kActuator || !is_certain(result, member.effect)) continue;
-    certain.push_back(&member);
+    if (std::find(names.begin(), names.end(), member.effect) == names.end()) continue;
+    kept.push_back(&member);
     const double* first = best.coordinates.data() + best.first_of(m);
     coordinates.insert(coordinates.end(), first, first + member.parameters.size());
   }
   return errors_over(fitter.equation(), fitter.rows(),
-                     fitter.residual(certain, Eigen::Map<const Eigen::VectorXd>(
-                                                  coordinates.data(),
-                                                  static_cast<Eigen::Index>(coordinates.size()))));
+                     fitter.residual(kept, Eigen::Map<const Eigen::VectorXd>(
+                                               coordinates.data(),
+                                               static_cast<Eigen::Index>(coordinates.size()))));
+}
+
+std::vector<std::string> certain_of_actuator(const EquationResult& result) {
+  std::vector<std::string> names;
+  for (const NamedEffect* each : certain_of(result)) {
+    if (each->family == EffectFamily::kActuator) names.push_back(each->effect);
+  }
+  return names;
+}
+
+Promise promise_of(const ModelFitter& fitter, const ModelFit& best, const EquationResult& result) {
+  Promise promise;
+  for (const NamedEffect* each : written_of(result)) promise.effects.push_back(each->effect);
+  promise.errors = errors_with(fitter, best, promise.effects);
+  return promise;
 }
 
 std::string reason_of(const Comparison& gain, const SearchRules& rules) {
@@ -289,79 +302,6 @@ void describe_refused(const Judgement& judged, const Found& found, const SearchR
   }
 }
 
-/// One of the values that every model fits stays where it starts.
-ForwardEquation held_at_start(ForwardEquation equation, std::size_t k) {
-  const auto place = static_cast<std::ptrdiff_t>(k);
-  equation.apply_always = [before = equation.apply_always, place, value = equation.always_start[k]](
-                              std::span<const double> values, Hypothesis& hypothesis) {
-    std::vector<double> all(values.begin(), values.end());
-    all.insert(all.begin() + place, value);
-    before(all, hypothesis);
-  };
-  equation.always.erase(equation.always.begin() + place);
-  equation.always_start.erase(equation.always_start.begin() + place);
-  if (k < equation.pointers.size()) equation.pointers.erase(equation.pointers.begin() + place);
-  return equation;
-}
-
-/// Without those uncertain values that the log cannot tell: they stay as stated.
-ForwardEquation with_what_is_determined(ForwardEquation equation, const HeldSignals& held,
-                                        const std::vector<std::size_t>& fold_of_run) {
-  for (std::size_t k = equation.pointers.size(); k-- > 0;) {
-    const Rows rows(held.rows, fold_of_run, {});
-    const ModelFitter fitter(equation, rows, held.replica);
-    const ModelFit fit = fitter.fit({}, fitter.always_start());
-    const auto i = static_cast<Eigen::Index>(k);
-    const double error = std::sqrt(std::max(0.0, fit.covariance(i, i)));
-    if (fit.is_free[k] && error <= kKnown * std::abs(fit.coordinates[i])) continue;
-    equation = held_at_start(std::move(equation), k);
-  }
-  return equation;
-}
-
-/// The band in which what the stated model leaves stands out of the channels' noise by most of that
-/// noise's own scatter; the lowest where nothing does.
-double telling_band_Hz(const ForwardEquation& equation, const HeldSignals& held,
-                       const std::vector<std::size_t>& fold_of_run) {
-  double best_Hz = kBands_Hz[0], most = 0.0;
-  for (const double band_Hz : kBands_Hz) {
-    const Rows rows(held.rows, fold_of_run, {band_Hz});
-    const ModelFitter fitter(equation, rows, held.replica);
-    const ModelFit fit = fitter.fit({}, fitter.always_start());
-    if (!fit.is_valid || !(fit.noise_loss > 0.0)) continue;
-    // As many degrees of freedom as the band has in the rows' time.
-    const double freedom = 0.5 * static_cast<double>(rows.count());
-    const double excess = fit.loss / fit.noise_loss * std::sqrt(freedom);
-    if (excess > kClearlyMore * most && excess > 3.0) {
-      most = excess;
-      best_Hz = band_Hz;
-    }
-  }
-  return best_Hz;
-}
-
-/// Without the instant of the samples, unless it takes from what the stated model leaves what a
-/// name would have to: a search with one more value that is free goes other ways.
-ForwardEquation with_instant_if_it_shows(ForwardEquation equation, const HeldSignals& held,
-                                         const std::vector<std::size_t>& fold_of_run,
-                                         const SearchRules& rules) {
-  const auto instant = std::find_if(equation.always.begin(), equation.always.end(),
-                                    [](const FitParameter& each) { return each.name == kInstant; });
-  if (instant == equation.always.end()) return equation;
-  const ForwardEquation without =
-      held_at_start(equation, static_cast<std::size_t>(instant - equation.always.begin()));
-  const Rows rows(held.rows, fold_of_run, {telling_band_Hz(without, held, fold_of_run)});
-  const ModelFitter less(without, rows, held.replica), more(equation, rows, held.replica);
-  const ModelFit stated = less.fit({}, less.always_start());
-  const ModelFit moved = more.fit({}, more.always_start());
-  const Comparison gain = compare(rows, stated, moved);
-  const double left = std::max(0.0, stated.unseen_loss) + stated.noise_loss;
-  const bool shows =
-      gain.gain > rules.least_share * left &&
-      gain.t > threshold_t(rules.chance, equation.candidates.size(), rows.training_blocks());
-  return shows ? equation : without;
-}
-
 std::vector<std::string> names_of_runs(const Log& log) {
   std::vector<std::string> names;
   for (std::size_t run = 0; run < log.runs.size(); ++run) names.push_back(log.runs.head(run).name);
@@ -386,14 +326,14 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   rules.least_change = options.tolerance * stated.used;
   rules.asks = [&options](const std::string& effect) { return options.asks(effect); };
   rules.before_each_fit = options.before_each_fit;
-  const ForwardEquation equation = with_instant_if_it_shows(
-      with_what_is_determined(stated, held, fold_of_run), held, fold_of_run, rules);
+  const ForwardEquation equation = with_what_is_determined(stated, held, fold_of_run);
   result.quantity = equation.quantity;
   result.unit = equation.unit;
   const auto band = options.band_Hz.find({bench.rig->joints[bench.joint], equation.quantity});
   const Rows rows(held.rows, fold_of_run,
-                  {band != options.band_Hz.end() ? band->second
-                                                 : telling_band_Hz(equation, held, fold_of_run)});
+                  {band != options.band_Hz.end()
+                       ? band->second
+                       : telling_band_Hz(without_instants(equation), held, fold_of_run)});
   result.band_Hz = rows.options().cutoff_Hz;
   if (rows.training_blocks() < kLeastTrainingBlocks) {
     result.unusable =
@@ -401,9 +341,10 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
                     kLeastTrainingBlocks, what_would_help(held.rows));
     return result;
   }
-  const ModelFitter fitter(equation, rows, held.replica);
-  Search search(fitter, rules);
-  Found found = options.select ? search.run() : search.nothing();
+  const auto asked = searched(equation, rows, held.replica, rules, options.select);
+  const ModelFitter& fitter = asked->fitter;
+  Search& search = asked->search;
+  Found& found = asked->found;
   result.before = errors_over(equation, rows, found.empty.residual);
   result.structure_before = structure_left(rows, found.empty.residual);
   const Judgement judged = judge(fitter, search, found, result.structure_before);
@@ -425,9 +366,9 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   if (options.select) result.models = models_within_noise(bench, fitter, found);
   result.lines = spectral_lines(
       line_traces(equation, fitter.hypothesis(kept.members, kept.coordinates), held));
-  result.with_certain = errors_with_certain(fitter, kept, result);
+  result.with_certain = errors_with(fitter, kept, certain_of_actuator(result));
   doubt_what_does_harm(result);
-  result.with_certain = errors_with_certain(fitter, kept, result);
+  result.with_certain = errors_with(fitter, kept, certain_of_actuator(result));
   for (std::size_t k = 0; k < equation.pointers.size() && options.select; ++k) {
     const auto i = static_cast<Eigen::Index>(k);
     result.corrected.push_back({equation.pointers[k], equation.always_start[k], kept.coordinates[i],
@@ -437,6 +378,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   if (result.not_one_rig.empty() && kept.members.empty())
     result.not_one_rig = disagreement_as_stated(stated, rows, held, log);
   result.verdict = verdict_of(result, options.select);
+  result.promise = promise_of(fitter, kept, result);
   return result;
 }
 

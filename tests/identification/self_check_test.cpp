@@ -22,7 +22,7 @@ class KeptPromise : public testing::Test {
   std::string broken(actuator::Actuator changed) const {
     JointActuator refined = nominal;
     refined.nominal.actuator = std::move(changed);
-    return broken_promise(logs, rig, {refined}, found);
+    return broken_promise(found, as_written(logs, rig, {refined}, found));
   }
 
   const std::filesystem::path specs =
@@ -41,6 +41,16 @@ TEST_F(KeptPromise, WhatWasFoundKeepsItAndWhatWasStatedDoesNot) {
   EXPECT_EQ(broken(actuator::read_actuator(file).actuator), "");
   const std::string said = broken(nominal.nominal.actuator);
   EXPECT_NE(said.find("were promised: it is not written"), std::string::npos) << said;
+}
+
+TEST_F(KeptPromise, TheDocumentStatesWhatItLeavesItself) {
+  const auto first = folder.write("refined.json", io::json_text(refined_actuator(found, nominal)));
+  const Identification judged =
+      as_written(logs, rig, {{"", actuator::read_actuator(first)}}, found);
+  const auto document = refined_actuator(found, nominal, &judged);
+  const auto& provenance = document["effects"].back()["provenance"];
+  EXPECT_EQ(provenance["holdout_rms_after"], judged.equations.front().before.holdout_rms);
+  EXPECT_EQ(provenance["holdout_rms_before"], found.equations.front().before.holdout_rms);
 }
 
 TEST(AskedEffects, AreThoseOfTheListWithoutTheOthers) {

@@ -105,7 +105,7 @@ IdentifyFound compute(const IdentifyRequest& request, const IdentifyInputs& inpu
   found.identification = identification_of(request, inputs);
   found.refined = refined_actuators(inputs, found.identification);
   if (!inputs.refined.empty() || !request.as.empty())
-    require_promise(request, inputs, found.identification, found.refined);
+    judge_as_written(request, inputs, found.identification, found.refined);
   if (!request.report_file.empty()) found.regions = region_sections(inputs, found.refined);
   found.simulated = simulated_errors(request, inputs, found.refined);
   return found;
@@ -167,6 +167,8 @@ void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
   }
   std::vector<io::FileContent> files = refined_files(inputs, found.refined);
   for (const io::FileContent& file : files) context.refined_files.push_back(file.file.string());
+  if (found.refined.judged)
+    context.as_written = report::written_sentence(found.identification, *found.refined.judged);
   if (!request.report_file.empty()) {
     files.push_back({request.report_file,
                      report::identification_html(found.identification, context, found.regions)});

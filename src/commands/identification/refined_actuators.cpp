@@ -19,12 +19,13 @@ namespace torquewright::cli {
 namespace {
 
 RefinedActuator refined_actuator_of(const IdentifyInputs& inputs,
-                                    const identification::Identification& found, std::size_t i) {
+                                    const identification::Identification& found,
+                                    const identification::Identification* judged, std::size_t i) {
   const identification::JointActuator& nominal = inputs.actuators[i];
   const std::vector<io::Document>& documents = nominal.nominal.documents;
   const std::string& file = documents.front().file;
   const std::string output = i < inputs.refined.size() ? inputs.refined[i] : std::string();
-  const auto document = identification::refined_actuator(found, nominal);
+  const auto document = identification::refined_actuator(found, nominal, judged);
   io::Document refined = io::check_document(as_read(io::json_text(document)), "actuator", file, "");
   return {nominal.joint, refined_text(document, file, output),
           actuator::read_actuator(std::move(refined), documents)};
@@ -40,28 +41,35 @@ bool has_changed(const actuator::RegionComparison& comparison) {
 }  // namespace
 
 RefinedActuators refined_actuators(const IdentifyInputs& inputs,
-                                   const identification::Identification& found) {
-  if (!identification::has_anything_certain(found)) return {};
+                                   const identification::Identification& found,
+                                   const identification::Identification* judged) {
+  if (!identification::has_anything_to_write(found)) return {};
   RefinedActuators refined;
   try {
     for (std::size_t i = 0; i < inputs.actuators.size(); ++i) {
-      refined.of_joints.push_back(refined_actuator_of(inputs, found, i));
+      refined.of_joints.push_back(refined_actuator_of(inputs, found, judged, i));
     }
   } catch (const io::SpecError& error) {
-    return {{}, error.what()};
+    return {{}, error.what(), {}};
   }
   return refined;
 }
 
-void require_promise(const IdentifyRequest& request, const IdentifyInputs& inputs,
-                     const identification::Identification& found, RefinedActuators& refined) {
+void judge_as_written(const IdentifyRequest& request, const IdentifyInputs& inputs,
+                      const identification::Identification& found, RefinedActuators& refined) {
   if (refined.of_joints.empty()) return;
   std::vector<identification::JointActuator> actuators;
   for (const RefinedActuator& each : refined.of_joints)
     actuators.push_back({each.joint, each.read});
-  std::string broken = identification::broken_promise({request.logs.begin(), request.logs.end()},
-                                                      inputs.rig, actuators, found);
-  if (!broken.empty()) refined = {{}, std::move(broken)};
+  identification::Identification judged = identification::as_written(
+      {request.logs.begin(), request.logs.end()}, inputs.rig, actuators, found);
+  std::string broken = identification::broken_promise(found, judged);
+  if (!broken.empty()) {
+    refined = {{}, std::move(broken), {}};
+    return;
+  }
+  refined = refined_actuators(inputs, found, &judged);
+  refined.judged = std::move(judged);
 }
 
 std::vector<io::FileContent> refined_files(const IdentifyInputs& inputs,

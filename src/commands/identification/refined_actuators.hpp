@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,18 +20,22 @@ struct RefinedActuator {
 };
 
 /// Those of all joints, in the rig's order; none where nothing is sure: an actuator with nothing
-/// added to it would only look refined.
+/// added to it would only look refined. `judged`: see refined_actuator() in identify.hpp.
 struct RefinedActuators {
   std::vector<RefinedActuator> of_joints;
   std::string refusal;  ///< What its own reader says against one of them; then there are none.
+  /// The logs with the documents read back; nothing before they were judged.
+  std::optional<identification::Identification> judged;
 };
 
 RefinedActuators refined_actuators(const IdentifyInputs& inputs,
-                                   const identification::Identification& found);
+                                   const identification::Identification& found,
+                                   const identification::Identification* judged = nullptr);
 
-/// Refuses what does not leave the error, on the request's logs, that was promised of it.
-void require_promise(const IdentifyRequest& request, const IdentifyInputs& inputs,
-                     const identification::Identification& found, RefinedActuators& refined);
+/// Judges the documents on the request's logs and states in them what they leave; refuses those
+/// that do not leave the error that was promised.
+void judge_as_written(const IdentifyRequest& request, const IdentifyInputs& inputs,
+                      const identification::Identification& found, RefinedActuators& refined);
 
 /// What is to be written for -o; on stderr where nothing is, though it was asked for.
 std::vector<io::FileContent> refined_files(const IdentifyInputs& inputs,

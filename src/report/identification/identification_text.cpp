@@ -236,7 +236,8 @@ std::string refined_lines(const Identification& found, const IdentificationConte
     text += line(step, "written to " + io::name_in_text(file));
     step = "";
   }
-  const bool is_sure = identification::has_anything_certain(found);
+  if (!text.empty() && !context.as_written.empty()) text += line("", context.as_written);
+  const bool is_sure = identification::has_anything_to_write(found);
   if (text.empty()) {
     text = line(step, is_sure ? "not asked for (--refined)" : "none: there is nothing sure to add");
   }

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "identification/answer/report_spec.hpp"
+#include "identification/findings/written.hpp"
 #include "src/report/parts/shell_word.hpp"
 
 namespace torquewright::report {
@@ -161,7 +162,7 @@ std::vector<std::string> next_steps(const Identification& found,
   const bool has_added = std::any_of(
       found.equations.begin(), found.equations.end(),
       [](const EquationResult& each) { return !each.added.empty() || !each.corrected.empty(); });
-  if (!has_added || !identification::has_anything_certain(found)) return steps;
+  if (!has_added || !identification::has_anything_to_write(found)) return steps;
   if (context.refined_files.empty()) {
     steps.push_back("--refined REFINED writes the refined actuator; then " +
                     compare_command(context, 0, "REFINED"));
@@ -170,6 +171,26 @@ std::vector<std::string> next_steps(const Identification& found,
     steps.push_back(compare_command(context, i, context.refined_files[i]));
   }
   return steps;
+}
+
+std::string written_sentence(const Identification& found, const Identification& judged) {
+  std::string text;
+  for (const EquationResult& each : found.equations) {
+    const auto same = std::find_if(
+        judged.equations.begin(), judged.equations.end(), [&](const EquationResult& other) {
+          return other.joint == each.joint && other.quantity == each.quantity;
+        });
+    if (same == judged.equations.end() || each.added.empty()) continue;
+    text += fmt::format("{}it leaves {:.4g} {} of {}", text.empty() ? "" : "; ",
+                        shown_error(same->before), each.unit, name_of_equation(each));
+    for (const NamedEffect* effect : written_of(each)) {
+      const std::vector<std::string> others = undecided_with(each, effect->effect);
+      if (others.empty()) continue;
+      text += fmt::format("; {} stands in it undecided, it may be {}", effect->effect,
+                          alternatives(others));
+    }
+  }
+  return text;
 }
 
 double shown_error(const Errors& errors) {

@@ -18,6 +18,7 @@ struct IdentificationContext {
   std::vector<std::string> refined_files;   ///< Written; the same order, or empty.
   std::vector<std::string> logged;          ///< Quantities of the rig's columns.
   bool select = true;                       ///< False: `identify residual`.
+  std::string as_written = {};              ///< What those written leave (written_sentence).
 };
 
 /// What texts and pictures of an identification share.
@@ -46,6 +47,11 @@ std::string name_of_model(const identification::ModelWithinNoise& model);
 /// What to do now: commands or measurements, a line each.
 std::vector<std::string> next_steps(const identification::Identification& found,
                                     const IdentificationContext& context);
+
+/// What documents with what was found leave, by `judged`, which is the logs with them; and what
+/// stands in them although the log does not tell it from others.
+std::string written_sentence(const identification::Identification& found,
+                             const identification::Identification& judged);
 
 /// Held-out error where there is one, else that of the fitted runs.
 double shown_error(const identification::Errors& errors);
