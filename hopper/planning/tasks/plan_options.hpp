@@ -76,7 +76,7 @@ struct PlanOptions {
   PlanMargins margins;
   double reserve = 0.0;  ///< What margins were made of it (reserve.hpp), for who reads the answer.
   LongestPhases longest;
-  int intervals = 100;           ///< Intervals of the first mesh, all phases together.
+  int intervals = 100;           ///< Intervals of the first mesh, of one hop.
   double most_error_rad = 2e-3;  ///< Largest error of a phase by an independent integrator.
   int most_rounds = 6;           ///< Most meshes after the first.
   double most_seconds = 600.0;
