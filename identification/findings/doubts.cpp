@@ -118,6 +118,18 @@ void doubt_laws_of_drag(double noise_floors, EquationResult& result) {
   }
 }
 
+void doubt_what_fails_held_out(double times, EquationResult& result) {
+  const double fitted = std::max(result.after.train_rms, result.noise_floor_rms);
+  if (!(fitted > 0.0 && result.after.holdout_rms > times * fitted)) return;
+  for (NamedEffect& each : result.added) {
+    if (each.family != EffectFamily::kActuator || !each.doubt.empty()) continue;
+    each.doubt = fmt::format(
+        "the runs that no fit saw leave {:.3g} {} where the fitted ones leave {:.3g}: there it is "
+        "another law, or not the only one",
+        result.after.holdout_rms, result.unit, result.after.train_rms);
+  }
+}
+
 void doubt_what_does_harm(EquationResult& result) {
   if (!(result.with_certain.holdout_rms > result.before.holdout_rms)) return;
   doubt_certain_of_actuator(

@@ -29,6 +29,10 @@ void append_doubts(EquationResult& result);
 /// speed: the drag then follows another law.
 void doubt_laws_of_drag(double noise_floors, EquationResult& result);
 
+/// Leaves nothing certain where the held-out runs leave more than `times` what the fitted ones do,
+/// and noise does: there the laws are others.
+void doubt_what_fails_held_out(double times, EquationResult& result);
+
 /// Leaves nothing certain where what is certain, all together, raises the error of the runs that no
 /// fit saw (EquationResult::with_certain).
 void doubt_what_does_harm(EquationResult& result);

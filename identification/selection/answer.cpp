@@ -333,7 +333,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   const Rows rows(held.rows, fold_of_run,
                   {band != options.band_Hz.end()
                        ? band->second
-                       : telling_band_Hz(without_instants(equation), held, fold_of_run)});
+                       : telling_band_Hz(with_instants(equation, 0), held, fold_of_run)});
   result.band_Hz = rows.options().cutoff_Hz;
   if (rows.training_blocks() < kLeastTrainingBlocks) {
     result.unusable =
@@ -352,7 +352,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   result.has_tentative = judged.has_tentative;
   const ModelFit& kept = found.best;
   result.after = errors_over(equation, rows, kept.residual);
-  result.noise_floor_rms = errors_over(equation, rows, kept.noise).train_rms;
+  result.noise_floor_rms = noise_floor(fitter, kept) * std::abs(equation.unit_per_residual);
   result.structure_after =
       kept.members.empty() ? result.structure_before : structure_left(rows, kept.residual);
   result.is_noise_after = leaves_noise(search, fitter, kept, result.structure_after);
@@ -360,6 +360,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   append_groups(bench, equation, found, result);
   append_doubts(result);
   doubt_laws_of_drag(rules.unexplained_floors, result);
+  doubt_what_fails_held_out(rules.unexplained_floors, result);
   if (!result.is_noise_after) doubt_laws_of_position(fitter, kept, result);
   describe_refused(judged, found, rules, result);
   result.runs = run_results(equation, rows, found.empty.residual, kept.residual);

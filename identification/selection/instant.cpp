@@ -2,6 +2,7 @@
 #include "identification/selection/instant.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "identification/forward/sample_step.hpp"
 #include "identification/selection/comparison.hpp"
@@ -11,13 +12,41 @@ namespace {
 
 bool is_instant(const FitParameter& each) { return each.name == kInstant; }
 
-/// A model's coordinates with the instants at the middle of the step among them.
-Eigen::VectorXd with_instants(const ForwardEquation& equation, const ModelFit& model) {
+/// A model's coordinates in an equation with more instants, those at the middle of the step.
+Eigen::VectorXd coordinates_in(const ForwardEquation& more, std::size_t free,
+                               const ModelFit& model) {
   std::vector<double> all;
   const double* next = model.coordinates.data();
-  for (const FitParameter& each : equation.always) all.push_back(is_instant(each) ? 0.0 : *next++);
+  std::size_t instants = 0;
+  for (const FitParameter& each : more.always) {
+    all.push_back(is_instant(each) && instants++ >= free ? 0.0 : *next++);
+  }
   all.insert(all.end(), next, model.coordinates.data() + model.coordinates.size());
   return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
+/// Whether the torque sensor is later than the motion, or than the drive, by half a step or more: a
+/// lag of the torque, or a delay, is that late.
+bool is_late_by_a_name(const ForwardEquation& equation, const ModelFit& fit) {
+  std::vector<double> instants_s;
+  double half_a_step_s = 0.0;
+  for (std::size_t k = 0; k < equation.always.size(); ++k) {
+    if (!is_instant(equation.always[k])) continue;
+    instants_s.push_back(fit.coordinates[static_cast<Eigen::Index>(k)]);
+    half_a_step_s = equation.always[k].highest;
+  }
+  return instants_s.size() > 1 &&
+         std::max(std::abs(instants_s[1]), std::abs(instants_s[1] - instants_s[0])) >=
+             half_a_step_s;
+}
+
+/// Whether a fit takes from what another leaves what a name would have to.
+bool shows(const ForwardEquation& equation, const Rows& rows, const SearchRules& rules,
+           const ModelFit& less, const ModelFit& more) {
+  const Comparison gain = compare(rows, less, more);
+  const double left = std::max(0.0, less.unseen_loss) + less.noise_loss;
+  return gain.gain > rules.least_share * left &&
+         gain.t > threshold_t(rules.chance, equation.candidates.size(), rows.training_blocks());
 }
 
 }  // namespace
@@ -36,24 +65,33 @@ ForwardEquation held_at_start(ForwardEquation equation, std::size_t k) {
   return equation;
 }
 
-ForwardEquation without_instants(ForwardEquation equation) {
-  for (std::size_t k = equation.always.size(); k-- > 0;) {
+std::size_t instants_of(const ForwardEquation& equation) {
+  return static_cast<std::size_t>(
+      std::count_if(equation.always.begin(), equation.always.end(), is_instant));
+}
+
+ForwardEquation with_instants(ForwardEquation equation, std::size_t free) {
+  for (std::size_t k = equation.always.size(); k-- > 0 && instants_of(equation) > free;) {
     if (is_instant(equation.always[k])) equation = held_at_start(std::move(equation), k);
   }
   return equation;
 }
 
-bool instants_show(const ForwardEquation& equation, const ModelFitter& without,
-                   const std::vector<Signals>& replica, const SearchRules& rules,
-                   const ModelFit& model) {
-  if (std::none_of(equation.always.begin(), equation.always.end(), is_instant)) return false;
-  const ModelFitter more(equation, without.rows(), replica);
-  const ModelFit moved = more.fit(model.members, with_instants(equation, model));
-  const Comparison gain = compare(without.rows(), model, moved);
-  const double left = std::max(0.0, model.unseen_loss) + model.noise_loss;
-  return gain.gain > rules.least_share * left &&
-         gain.t > threshold_t(rules.chance, equation.candidates.size(),
-                              without.rows().training_blocks());
+std::size_t instants_that_show(const ForwardEquation& all, std::size_t free,
+                               const ModelFitter& fitter, const std::vector<Signals>& replica,
+                               const SearchRules& rules, const ModelFit& model) {
+  ModelFit best = model;
+  std::size_t shown = free;
+  for (std::size_t more = free + 1; more <= instants_of(all); ++more) {
+    const ForwardEquation equation = with_instants(all, more);
+    const ModelFit moved = ModelFitter(equation, fitter.rows(), replica)
+                               .fit(model.members, coordinates_in(equation, free, model));
+    if (is_late_by_a_name(equation, moved)) continue;
+    if (!shows(all, fitter.rows(), rules, best, moved)) continue;
+    best = moved;
+    shown = more;
+  }
+  return shown;
 }
 
 }  // namespace torquewright::identification

@@ -9,15 +9,19 @@ namespace torquewright::identification {
 /// Returns the equation with one of the values that every model fits held where it starts.
 ForwardEquation held_at_start(ForwardEquation equation, std::size_t k);
 
-/// Returns the equation without the instants of its samples: they are held at the middle of the
-/// step.
-ForwardEquation without_instants(ForwardEquation equation);
+/// Returns how many instants of samples an equation has: of the drive's, then of the torque
+/// sensor's.
+std::size_t instants_of(const ForwardEquation& equation);
 
-/// Whether the instants of the samples, within half a step of the log, take from what a model of
-/// `without` leaves what a name would have to. `equation` is the same with the instants free. False
-/// where it has none.
-bool instants_show(const ForwardEquation& equation, const ModelFitter& without,
-                   const std::vector<Signals>& replica, const SearchRules& rules,
-                   const ModelFit& model);
+/// Returns the equation with so many of its instants free, and the others held at the middle of the
+/// step.
+ForwardEquation with_instants(ForwardEquation equation, std::size_t free);
+
+/// Returns how many instants have to be free beside a model of `fitter`, whose equation has `free`
+/// of them: more where they take from what the model leaves what a name would have to. The
+/// sensor's, which any lag of the torque resembles, only within half a step.
+std::size_t instants_that_show(const ForwardEquation& all, std::size_t free,
+                               const ModelFitter& fitter, const std::vector<Signals>& replica,
+                               const SearchRules& rules, const ModelFit& model);
 
 }  // namespace torquewright::identification

@@ -11,6 +11,7 @@ namespace torquewright::identification {
 namespace {
 
 constexpr double kExplainedFloors = 1.3;   ///< In rms, where no fit saw it.
+constexpr double kSeveralFold = 2.0;       ///< Factor between a value as fitted and as stated.
 constexpr double kLeastRemoved = 0.6;      ///< Of the squares, by sure names where much is left.
 constexpr std::size_t kFewestOfASpot = 4;  ///< Waves of friction that are multiples of one.
 
@@ -42,7 +43,7 @@ double rms_over(const Rows& rows, const Eigen::VectorXd& values, bool held_out) 
 std::optional<Wanderer> most_unsteady(const ModelFitter& fitter, const SearchRules& rules,
                                       const Found& found) {
   std::optional<Wanderer> worst;
-  const double floor = rms_over(fitter.rows(), found.best.noise, false);
+  const double floor = noise_floor(fitter, found.best);
   const double left = rms_over(fitter.rows(), found.best.residual, false);
   for (std::size_t m = 0; m < found.best.members.size() && left > kExplainedFloors * floor; ++m) {
     Unsteadiness wanders = unsteadiness(fitter, found.best, m);
@@ -69,9 +70,25 @@ const EffectCandidate* least_needed(const Search& search, const Found& found) {
 
 }  // namespace
 
+double noise_floor(const ModelFitter& fitter, const ModelFit& fit) {
+  const ForwardEquation& equation = fitter.equation();
+  Eigen::VectorXd coordinates = fit.coordinates;
+  bool is_several_fold = false;
+  for (std::size_t k = 0; k < equation.pointers.size(); ++k) {
+    double& value = coordinates[static_cast<Eigen::Index>(k)];
+    const double stated = equation.always_start[k], factor = value / stated;
+    if (stated == 0.0 || (factor < kSeveralFold && factor > 1.0 / kSeveralFold)) continue;
+    value = stated;
+    is_several_fold = true;
+  }
+  const double own = rms_over(fitter.rows(), fit.noise, false);
+  if (!is_several_fold) return own;
+  return std::min(own, rms_over(fitter.rows(), fitter.noise(fit.members, coordinates), false));
+}
+
 bool leaves_noise(const Search& search, const ModelFitter& fitter, const ModelFit& fit,
                   const std::vector<ResidualStructure>& structure) {
-  const double floor = rms_over(fitter.rows(), fit.noise, false);
+  const double floor = noise_floor(fitter, fit);
   const double left = std::max(rms_over(fitter.rows(), fit.residual, false),
                                rms_over(fitter.rows(), fit.residual, true));
   if (left <= kExplainedFloors * floor) return true;
@@ -97,7 +114,7 @@ Judgement judge(const ModelFitter& fitter, Search& search, Found& found,
     judged.has_tentative = true;
   }
   if (found.best.members.empty()) return judged;
-  const double floor = rms_over(fitter.rows(), found.best.noise, false);
+  const double floor = noise_floor(fitter, found.best);
   const double left = rms_over(fitter.rows(), found.best.residual, false);
   const double share =
       1.0 - std::max(0.0, found.best.unseen_loss) / std::max(1e-300, found.empty.unseen_loss);

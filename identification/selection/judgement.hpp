@@ -21,6 +21,11 @@ struct Judgement {
   std::vector<Wanderer> wanderers;
 };
 
+/// Returns the rms of what the channels' noise changes of a model's residual in the fitted rows:
+/// the yardstick of what is left. Uncertain values that came out more than twice what is stated, or
+/// less than half, count there as stated, so that no model is judged by a noise of its own making.
+double noise_floor(const ModelFitter& fitter, const ModelFit& fit);
+
 /// Whether a model leaves nothing but noise, by the size and the structure of its residual.
 bool leaves_noise(const Search& search, const ModelFitter& fitter, const ModelFit& fit,
                   const std::vector<ResidualStructure>& structure);

@@ -169,6 +169,11 @@ Eigen::VectorXd ModelFitter::residual(const EffectSet& members,
   return residual(members, coordinates, rows_.signals());
 }
 
+Eigen::VectorXd ModelFitter::noise(const EffectSet& members,
+                                   const Eigen::VectorXd& coordinates) const {
+  return residual(members, coordinates, replica_) - residual(members, coordinates);
+}
+
 Eigen::MatrixXd ModelFitter::slopes(const EffectSet& members, const Eigen::VectorXd& coordinates,
                                     const Eigen::VectorXd& here,
                                     const std::vector<Signals>& like) const {

@@ -60,6 +60,8 @@ class ModelFitter {
 
   Hypothesis hypothesis(const EffectSet& members, const Eigen::VectorXd& coordinates) const;
   Eigen::VectorXd residual(const EffectSet& members, const Eigen::VectorXd& coordinates) const;
+  /// Returns what noise that is added once more changes of the residual.
+  Eigen::VectorXd noise(const EffectSet& members, const Eigen::VectorXd& coordinates) const;
   /// (n x p) Returns the slopes of the residual at coordinates where it is `residual`. `like`: see
   /// Rows.
   Eigen::MatrixXd slopes(const EffectSet& members, const Eigen::VectorXd& coordinates,

@@ -57,8 +57,39 @@ bool is_friction_wave(const EffectCandidate& candidate) {
   return is_wave(candidate) && actuator::is_wave_of_friction(candidate.effect);
 }
 
+/// Where it was not fitted, noise included.
+double unseen_squares(const ModelFit& model) {
+  return std::max(0.0, model.unseen_loss) + model.noise_loss;
+}
+
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+/// Effects with the coordinates at which their fit starts.
+struct Joined {
+  EffectSet members;
+  Eigen::VectorXd start;
+};
+
+/// What the addition contains, or stands in the place of, goes.
+Joined join(const ModelFit& model, const Prospect& prospect) {
+  Joined joined;
+  std::vector<double> start(prospect.start.data(), prospect.start.data() + model.always);
+  Eigen::Index at = model.always;
+  for (const EffectCandidate* member : model.members) {
+    const bool stays =
+        std::all_of(prospect.added.begin(), prospect.added.end(),
+                    [&](const EffectCandidate* added) { return go_together(*member, *added); });
+    for (std::size_t k = 0; k < member->parameters.size(); ++k, ++at) {
+      if (stays) start.push_back(prospect.start[at]);
+    }
+    if (stays) joined.members.push_back(member);
+  }
+  joined.members.insert(joined.members.end(), prospect.added.begin(), prospect.added.end());
+  for (; at < prospect.start.size(); ++at) start.push_back(prospect.start[at]);
+  joined.start = vector_of(start);
+  return joined;
 }
 
 }  // namespace
@@ -107,23 +138,19 @@ const ModelFit& Search::without(const ModelFit& model, std::size_t member) {
   return fitted(members, start);
 }
 
-/// What the addition contains, or stands in the place of, goes.
 const ModelFit& Search::with(const ModelFit& model, const Prospect& prospect) {
-  EffectSet members;
-  std::vector<double> start(prospect.start.data(), prospect.start.data() + model.always);
-  Eigen::Index at = model.always;
-  for (const EffectCandidate* member : model.members) {
-    const bool stays =
-        std::all_of(prospect.added.begin(), prospect.added.end(),
-                    [&](const EffectCandidate* added) { return go_together(*member, *added); });
-    for (std::size_t k = 0; k < member->parameters.size(); ++k, ++at) {
-      if (stays) start.push_back(prospect.start[at]);
-    }
-    if (stays) members.push_back(member);
-  }
-  for (const EffectCandidate* added : prospect.added) members.push_back(added);
-  for (; at < prospect.start.size(); ++at) start.push_back(prospect.start[at]);
-  return fitted(members, vector_of(start));
+  const Joined joined = join(model, prospect);
+  return fitted(joined.members, joined.start);
+}
+
+/// From another start; the better fit is what is known of these members.
+const ModelFit& Search::tried_again(const EffectSet& members, const Eigen::VectorXd& start) {
+  if (rules_.before_each_fit) rules_.before_each_fit();
+  ModelFit fit = fitter_.fit(members, start);
+  const auto [known, is_new] = fits_.try_emplace(key_of(members), fit);
+  const bool is_better = !known->second.is_valid || fit.unseen_loss < known->second.unseen_loss;
+  if (!is_new && fit.is_valid && is_better) known->second = std::move(fit);
+  return known->second;
 }
 
 double Search::floor_rms(const ModelFit& model) const {
@@ -157,6 +184,8 @@ bool Search::earns(const ModelFit& less, const ModelFit& more) const {
 
 bool Search::is_refuted(const ModelFit& rival, const ModelFit& best) const {
   if (!rival.is_valid) return true;
+  const double worse2 = rules_.explained_floors * rules_.explained_floors;
+  if (unseen_squares(rival) > worse2 * unseen_squares(best)) return true;
   const Comparison gain = compare(fitter_.rows(), rival, best);
   return gain.t > chance_t() &&
          gain.gain > rules_.least_share * (std::max(0.0, best.unseen_loss) + best.noise_loss);
@@ -224,6 +253,30 @@ const ModelFit* Search::smaller(const ModelFit& model) {
     const ModelFit& less = without(model, m);
     if (earns(less, model)) continue;
     if (best == nullptr || less.unseen_loss < best->unseen_loss) best = &less;
+  }
+  return best;
+}
+
+/// The model with a law in the place of a member that it contains, fitted from each of the law's
+/// starts, where more than noise is left; null if none earns its place over the member.
+const ModelFit* Search::generalised(const ModelFit& model) {
+  const double floors2 = rules_.explained_floors * rules_.explained_floors;
+  if (unseen_squares(model) <= floors2 * model.noise_loss) return nullptr;
+  const ModelFit* best = nullptr;
+  for (std::size_t m = 0; m < model.members.size(); ++m) {
+    const ModelFit& less = without(model, m);
+    for (const EffectCandidate* each : candidates_) {
+      if (is_wave(*each) || !holds_as_part(*each, *model.members[m])) continue;
+      for (const std::vector<double>& start : each->starts) {
+        Prospect prospect{{each}, {}, 0.0};
+        prospect.start.resize(less.coordinates.size() + static_cast<Eigen::Index>(start.size()));
+        prospect.start << less.coordinates, vector_of(start);
+        const Joined joined = join(less, prospect);
+        const ModelFit* trial = &tried_again(joined.members, joined.start);
+        if (!earns(model, *trial)) continue;
+        if (best == nullptr || trial->unseen_loss < best->unseen_loss) best = trial;
+      }
+    }
   }
   return best;
 }
@@ -361,6 +414,10 @@ Found Search::run() {
     if (next != nullptr) next = pruned(next);
     if (next == nullptr || next->unseen_loss >= model->unseen_loss) {
       next = swapped(*model);
+      if (next != nullptr) next = pruned(next);
+    }
+    if (next == nullptr || is_refuted(*next, *model)) {
+      next = generalised(*model);
       if (next != nullptr) next = pruned(next);
     }
     if (next == nullptr || is_refuted(*next, *model) || !seen.insert(next).second) break;

@@ -32,6 +32,9 @@ struct SearchRules {
   /// Beyond so many floors what is left counts as the model's error, and a name needs
   /// `steady_share` and `steady_parts`.
   double unexplained_floors = 3.0;
+  /// A model that leaves more than so many times the rms of another where neither was fitted, noise
+  /// included, is not as good as that one, whatever its own noise floor.
+  double explained_floors = 1.3;
   double steady_share = 0.2;   ///< Share of the squares that a name then takes, at least.
   double steady_parts = 0.75;  ///< Share of the parts in which it then helps, at least.
   /// Returns whether an effect is searched for; empty: all are.
@@ -89,6 +92,7 @@ class Search {
   const ModelFit& fitted(const EffectSet& members, const Eigen::VectorXd& start);
   const ModelFit& without(const ModelFit& model, std::size_t member);
   const ModelFit& with(const ModelFit& model, const Prospect& prospect);
+  const ModelFit& tried_again(const EffectSet& members, const Eigen::VectorXd& start);
   bool asks(const EffectCandidate& candidate) const;
   void ask_for_waves(const ModelFit& model);
   EffectSet askable(const ModelFit& model) const;
@@ -96,6 +100,7 @@ class Search {
   const ModelFit* step(const ModelFit& model);
   const ModelFit* pruned(const ModelFit* model);
   const ModelFit* smaller(const ModelFit& model);
+  const ModelFit* generalised(const ModelFit& model);
   const ModelFit* by_parts(const ModelFit& model);
   const ModelFit* swapped(const ModelFit& model);
   void take_rivals(const ModelFit& best, Found& found) const;

@@ -95,6 +95,19 @@ TEST(Doubts, FallOnANameThatRaisesTheHeldOutError) {
   EXPECT_EQ(verdict_of(result, true), Verdict::kCannotTell);
 }
 
+TEST(Doubts, FallOnLawsOfWhichTheHeldOutRunsLeaveFarMore) {
+  EquationResult result;
+  result.noise_floor_rms = 0.01;
+  result.added.emplace_back().effect = "coulomb_friction";
+  result.after = {0.018, 0.05};
+  doubt_what_fails_held_out(3.0, result);
+  EXPECT_TRUE(is_certain(result, "coulomb_friction"));
+  result.after = {0.018, 0.54};
+  doubt_what_fails_held_out(3.0, result);
+  EXPECT_FALSE(is_certain(result, "coulomb_friction"));
+  EXPECT_FALSE(result.added.front().is_refuted);
+}
+
 TEST(Doubts, FallOnAllThatIsSureWhereTogetherItDoesHarm) {
   EquationResult result = with_two(0.3, 0.1);
   result.with_certain.holdout_rms = 0.5;
