@@ -11,8 +11,7 @@ namespace torquewright::identification {
 /// Errors of a log's channels against the truth.
 struct LogErrors {
   std::array<double, kQuantityCount> delay_s{};  ///< Delay of each channel.
-  double instant_s = 0.0;       ///< Instant within its step at which the drive's channel was taken.
-  double load_instant_s = 0.0;  ///< The same of the torque sensor's.
+  double instant_s = 0.0;  ///< Instant within its step at which the drive's channel was taken.
   double torque_offset_Nm = 0.0;  ///< Measured less true torque; N on a linear axis.
   double current_offset_A = 0.0;
   double positive_current_gain = 1.0;  ///< Measured over true current, for positive currents.

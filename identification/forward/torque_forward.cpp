@@ -86,7 +86,7 @@ EffectCandidate from_mid_step(EffectCandidate candidate) {
   candidate.apply = [before = candidate.apply](std::span<const double> values,
                                                Hypothesis& hypothesis) {
     before(values, hypothesis);
-    hypothesis.log.instant_s = hypothesis.log.load_instant_s = 0.0;
+    hypothesis.log.instant_s = 0.0;
   };
   return candidate;
 }
@@ -247,8 +247,6 @@ ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& s
   add_uncertain(bench, ranges, equation);
   if (!bench.is_drive_by_law())
     add_instant(half_a_step_s(signals), &LogErrors::instant_s, equation);
-  if (bench.load_side == LoadSide::kSensor)
-    add_instant(half_a_step_s(signals), &LogErrors::load_instant_s, equation);
   if (bench.drive == Drive::kVoltage) add_winding_lag(half_a_step_s(signals), equation);
   equation.candidates = torque_candidates(bench, ranges);
   equation.residual = [&bench](const Hypothesis& hypothesis, const Signals& stretch) {

@@ -97,8 +97,7 @@ Motion motion_of(const Bench& bench, const Hypothesis& hypothesis, const Signals
     motion.drive = advanced(motion.drive, motion.drive_late_s, step_s);
   }
   if (bench.load_side == LoadSide::kSensor) {
-    const double load_s =
-        delay_s[static_cast<std::size_t>(bench.load_channel)] + hypothesis.log.load_instant_s;
+    const double load_s = delay_s[static_cast<std::size_t>(bench.load_channel)];
     if (load_s != 0.0) motion.load_Nm = advanced(motion.load_Nm, load_s, step_s);
   }
   return motion;

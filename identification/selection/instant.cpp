@@ -2,7 +2,6 @@
 #include "identification/selection/instant.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "identification/forward/sample_step.hpp"
 #include "identification/selection/comparison.hpp"
@@ -23,21 +22,6 @@ Eigen::VectorXd coordinates_in(const ForwardEquation& more, std::size_t free,
   }
   all.insert(all.end(), next, model.coordinates.data() + model.coordinates.size());
   return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
-}
-
-/// Whether the torque sensor is later than the motion, or than the drive, by half a step or more: a
-/// lag of the torque, or a delay, is that late.
-bool is_late_by_a_name(const ForwardEquation& equation, const ModelFit& fit) {
-  std::vector<double> instants_s;
-  double half_a_step_s = 0.0;
-  for (std::size_t k = 0; k < equation.always.size(); ++k) {
-    if (!is_instant(equation.always[k])) continue;
-    instants_s.push_back(fit.coordinates[static_cast<Eigen::Index>(k)]);
-    half_a_step_s = equation.always[k].highest;
-  }
-  return instants_s.size() > 1 &&
-         std::max(std::abs(instants_s[1]), std::abs(instants_s[1] - instants_s[0])) >=
-             half_a_step_s;
 }
 
 /// Whether a fit takes from what another leaves what a name would have to.
@@ -86,7 +70,6 @@ std::size_t instants_that_show(const ForwardEquation& all, std::size_t free,
     const ForwardEquation equation = with_instants(all, more);
     const ModelFit moved = ModelFitter(equation, fitter.rows(), replica)
                                .fit(model.members, coordinates_in(equation, free, model));
-    if (is_late_by_a_name(equation, moved)) continue;
     if (!shows(all, fitter.rows(), rules, best, moved)) continue;
     best = moved;
     shown = more;

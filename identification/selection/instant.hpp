@@ -9,8 +9,7 @@ namespace torquewright::identification {
 /// Returns the equation with one of the values that every model fits held where it starts.
 ForwardEquation held_at_start(ForwardEquation equation, std::size_t k);
 
-/// Returns how many instants of samples an equation has: of the drive's, then of the torque
-/// sensor's.
+/// Returns how many instants of samples an equation has.
 std::size_t instants_of(const ForwardEquation& equation);
 
 /// Returns the equation with so many of its instants free, and the others held at the middle of the
@@ -18,8 +17,7 @@ std::size_t instants_of(const ForwardEquation& equation);
 ForwardEquation with_instants(ForwardEquation equation, std::size_t free);
 
 /// Returns how many instants have to be free beside a model of `fitter`, whose equation has `free`
-/// of them: more where they take from what the model leaves what a name would have to. The
-/// sensor's, which any lag of the torque resembles, only within half a step.
+/// of them: more where they take from what the model leaves what a name would have to.
 std::size_t instants_that_show(const ForwardEquation& all, std::size_t free,
                                const ModelFitter& fitter, const std::vector<Signals>& replica,
                                const SearchRules& rules, const ModelFit& model);

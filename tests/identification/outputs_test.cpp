@@ -27,7 +27,10 @@ actuator::Actuator drive_with(const char* changes) {
 }
 
 std::string written(const char* format, const char* changes, LoadType load = LoadType::kPendulum) {
-  const Load moved{load, 2.0, 0.25, 0.0, {}};
+  Load moved;
+  moved.type = load;
+  moved.mass_kg = 2.0;
+  moved.length_m = 0.25;
   return output_of(format).write({drive_with(changes), moved});
 }
 
