@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "actuator/effects/every_effect.hpp"
 #include "io/documents/document.hpp"
 
 namespace torquewright::identification {
@@ -27,12 +28,12 @@ double stated_or(double limit, double otherwise) {
 json effects_of(const dynamics::PassiveForces& passive) {
   json effects = json::array();
   if (passive.damping > 0.0) {
-    effects.push_back(
-        {{"effect", "viscous_friction"}, {"parameters", {{"viscous_Nm_s_rad", passive.damping}}}});
+    effects.push_back({{"effect", actuator::effects::viscous_friction.name},
+                       {"parameters", {{"viscous_Nm_s_rad", passive.damping}}}});
   }
   if (passive.dry_friction > 0.0) {
-    effects.push_back(
-        {{"effect", "coulomb_friction"}, {"parameters", {{"coulomb_Nm", passive.dry_friction}}}});
+    effects.push_back({{"effect", actuator::effects::coulomb_friction.name},
+                       {"parameters", {{"coulomb_Nm", passive.dry_friction}}}});
   }
   return effects;
 }

@@ -156,7 +156,7 @@ TEST(ReadRig, RefusesWithThePlace) {
           {R"({"columns": {"q_rad": {"quantity": "output_position_rad", "scale": -5e-324}}})",
            "/columns/q_rad/scale: 4.94066e-324 is less than 1e-15 in magnitude"},
           {R"({"columns": {"q_rad": {"quantity": "output_position_rad", "joint": "a"}}})",
-           "only a serial_arm has several joints"},
+           "only a serial_arm and a robot have several joints"},
           {R"({"columns": {"t_s": {"quantity": "time_s", "scale": -1}}})", "is negative; time"},
           {R"({"columns": {"r": {"quantity": "run", "offset": 1}}})", "neither scale nor offset"},
           {R"({"columns": {"q_rad": null, "t_s": null}})", "/columns: is empty"},
