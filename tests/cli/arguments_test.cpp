@@ -38,7 +38,7 @@ std::vector<BadArguments> bad_arguments() {
       {{"actuator", "mor", "a.json", "--bus-votage", "3"},
        "command line: unknown option --bus-votage of actuator mor; did you mean --bus-voltage?"},
       {{"actuator", "mor", "a.json", "--speed=3"},
-       "command line: unknown option --speed of actuator mor; did you mean --at-speed?"},
+       "command line: unknown option --a-speed of actuator mor; did you mean --at-speed?"},
       {{"hopper", "check", "a.json", "b.csv", "--trials", "3"},
        "command line: unknown option --trials of hopper check; it is one of hopper replay"},
       {{"actuator", "mor", "a.json", "--side", "jont"},

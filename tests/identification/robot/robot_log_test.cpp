@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
@@ -65,7 +66,7 @@ std::string log_of(const std::vector<LegJoint>& truth) {
   for (std::size_t i = 0; i < 3; ++i) data->qpos[i] = command_rad(i, 0.0);
   std::string log = "time_s,hip_command,hip_rad,thigh_command,thigh_rad,calf_command,calf_rad\n";
   constexpr double kStep_rad = 2.0 * std::numbers::pi / 65536.0;
-  for (int step = 0; step < 24000; ++step) {
+  for (int step = 0; step < 40000; ++step) {
     const double time_s = 5e-4 * step;
     if (step % 10 == 0) log += fmt::format("{:.4f}", time_s);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -113,6 +114,20 @@ std::vector<std::string> certain_names(const Case& made) {
   return names;
 }
 
+std::string what_was_said(const Case& made) {
+  std::string said;
+  for (const EquationResult& equation : made.found.equations) {
+    for (const NamedEffect& effect : equation.added) {
+      said += fmt::format("{} {}: {} {}\n", equation.joint, effect.effect, effect.parameters.dump(),
+                          effect.doubt);
+    }
+    for (const Confounded& group : equation.confounded) {
+      said += fmt::format("{} {}\n", equation.joint, fmt::join(group.effects, " or "));
+    }
+  }
+  return said;
+}
+
 const std::vector<LegJoint> kStated = {{0.01, 0.2, 0.1}, {0.01, 0.2, 0.1}, {0.02, 0.2, 0.1}};
 
 // Oracle: MuJoCo, whose leg has what the documents state. Nothing is to be named.
@@ -129,7 +144,8 @@ TEST(RobotLog, FindsTheFrictionAtItsJoint) {
   std::vector<LegJoint> truth = kStated;
   truth[2].friction_Nm = 0.6;
   const Case made = identified(kStated, truth);
-  EXPECT_EQ(certain_names(made), std::vector<std::string>{"calf_joint coulomb_friction"});
+  EXPECT_EQ(certain_names(made), std::vector<std::string>{"calf_joint coulomb_friction"})
+      << what_was_said(made);
   for (const EquationResult& equation : made.found.equations) {
     for (const NamedEffect& effect : equation.added) {
       if (effect.effect != "coulomb_friction") continue;
