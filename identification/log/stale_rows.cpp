@@ -19,7 +19,10 @@ constexpr double kRoundedDigits = 2.5;  ///< so are four roundings to the last d
 
 constexpr std::size_t kLeastFresh = 30;
 constexpr double kLeastPolled = 1.5;  ///< New words come this many times as slowly as rows.
-constexpr double kEvenPace = 0.5;     ///< Of the pace: what most of the new words keep to it.
+/// Share of new words before which a row repeats the one before: at 1.5 rows a word it is half. A
+/// joint at rest repeats its rows in one stretch, before few new words.
+constexpr double kLeastRepeated = 0.4;
+constexpr double kEvenPace = 0.5;  ///< Of the pace: what most of the new words keep to it.
 constexpr double kMostEven = 0.8;
 constexpr double kNextWord = 1.5;  ///< Of the pace: a repeat so long after is a word of its own.
 
@@ -37,6 +40,17 @@ std::vector<std::uint8_t> fresh_rows(const Run& run) {
     fresh[row] = repeats_the_one_before(run, row) ? 0 : 1;
   }
   return fresh;
+}
+
+/// Whether rows are repeated before the new words throughout, and not in a stretch of rest alone.
+bool repeats_throughout(const std::vector<std::uint8_t>& fresh) {
+  double words = 0.0, repeated = 0.0;
+  for (std::size_t row = 1; row < fresh.size(); ++row) {
+    if (fresh[row] == 0) continue;
+    words += 1.0;
+    repeated += fresh[row - 1] == 0 ? 1.0 : 0.0;
+  }
+  return repeated >= kLeastRepeated * words;
 }
 
 /// At which new words come; nothing where they do not come evenly, or as fast as rows do.
@@ -128,6 +142,7 @@ bool are_stale(const Travel& travel, std::size_t repeats, double next_s, double 
 std::size_t drop_polled(Run& run) {
   if (run.time_s.size() < kLeastFresh) return 0;
   const std::vector<std::uint8_t> fresh = fresh_rows(run);
+  if (!repeats_throughout(fresh)) return 0;
   std::vector<double> fresh_s;
   for (std::size_t row = 0; row < fresh.size(); ++row) {
     if (fresh[row] != 0) fresh_s.push_back(run.time_s[row]);

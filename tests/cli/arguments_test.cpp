@@ -37,7 +37,7 @@ std::vector<BadArguments> bad_arguments() {
       {{"help", "gearbx"}, "command line: unknown command \"gearbx\"; did you mean gearbox?"},
       {{"actuator", "mor", "a.json", "--bus-votage", "3"},
        "command line: unknown option --bus-votage of actuator mor; did you mean --bus-voltage?"},
-      {{"actuator", "mor", "a.json", "--speed=3"},
+      {{"actuator", "mor", "a.json", "--a-speed=3"},
        "command line: unknown option --a-speed of actuator mor; did you mean --at-speed?"},
       {{"hopper", "check", "a.json", "b.csv", "--trials", "3"},
        "command line: unknown option --trials of hopper check; it is one of hopper replay"},

@@ -118,7 +118,7 @@ IdentifyInputs read_inputs(const IdentifyRequest& request) {
   inputs.rig_document = io::read_document(request.rig_file, "rig");
   inputs.rig = identification::read_rig(inputs.rig_document);
   const bool is_robot = inputs.rig.load.type == identification::LoadType::kRobot;
-  if (!is_robot && request.actuators.empty()) io::refuse("--actuator", "is required");
+  if (!is_robot && request.actuators.empty()) command_line::refuse("--actuator is required");
   const std::vector<std::string> files =
       is_robot ? given_by_joint(inputs.rig, "--actuator", request.actuators)
                : by_joint(inputs.rig, "--actuator", request.actuators);

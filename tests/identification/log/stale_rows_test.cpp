@@ -154,5 +154,20 @@ TEST(StaleRows, OfARecorderThatAsksTooSoonKeepRest) {
   EXPECT_EQ(result.finding("pauses").sentence, "");
 }
 
+// Oracle: the construction. Half of the time the joint moves and each row is new; then it rests,
+// and only its temperature flickers, every third row: nothing was asked for too soon.
+TEST(PolledRows, AreNotThoseOfAJointAtRest) {
+  identification::Run run;
+  run.joints.resize(1);
+  for (int i = 0; i < 1200; ++i) {
+    run.time_s.push_back(i % 3 == 0 ? 0.006 * i : 0.006 * i - 0.001);
+    run.joints[0][Quantity::kOutputPosition].push_back(i < 600 ? 0.01 * i : 6.0);
+    run.joints[0][Quantity::kCaseTemperature].push_back(i % 6 < 3 ? 300.0 : 301.0);
+  }
+  run.masked.assign(1200, 0);
+  EXPECT_EQ(drop_polled(run), 0u);
+  EXPECT_EQ(run.time_s.size(), 1200u);
+}
+
 }  // namespace
 }  // namespace torquewright::identification
