@@ -63,8 +63,9 @@ json document_of(const dynamics::Joint& joint, const std::string& robot_file) {
 actuator::ReadActuator actuator_of_joint(const Rig& rig, std::size_t joint) {
   const RobotLoad& robot = *rig.load.robot;
   const std::string file = (std::filesystem::path(rig.file).parent_path() / robot.file).string();
-  return actuator::read_actuator(
-      io::check_document(document_of(robot.joints[joint], robot.file), "actuator", file, ""));
+  return actuator::read_actuator(io::check_document(document_of(robot.joints[joint], robot.file),
+                                                    "actuator", file,
+                                                    "/joints/" + rig.joints[joint]));
 }
 
 }  // namespace torquewright::identification

@@ -10,7 +10,8 @@ namespace torquewright::identification {
 /// document's reflected inertia, damping and friction, as if a motor of 1 N m/A turned the joint
 /// directly, so that an ampere is a newton metre. A speed or an effort limit that it lacks is
 /// assumed, as is the winding, of which no log of positions and torques can tell; "assumed" says
-/// so. Requires a load that is a robot; `joint` is an index into Rig::joints.
+/// so. Its document stands in no file: `path` says of which joint it was made. Requires a load that
+/// is a robot; `joint` is an index into Rig::joints.
 actuator::ReadActuator actuator_of_joint(const Rig& rig, std::size_t joint);
 
 }  // namespace torquewright::identification

@@ -165,6 +165,7 @@ class RigReader {
   /// A column for each joint that the pattern fits.
   void read_pattern(ColumnUse use, const std::string& path) {
     const std::string joint = use.joint.empty() ? "{joint}" : use.joint;
+    if (robot_joints_.empty()) return;  // the robot itself was refused
     const auto columns = columns_of_pattern(use.column, joint, robot_joints_);
     if (columns.empty()) {
       report(path,

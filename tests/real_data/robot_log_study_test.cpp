@@ -52,7 +52,11 @@ TEST(RobotLogStudy, FollowsAQuadrupedAsAnotherEngineDoes) {
       place.run({"identify", "residual", (folder / "legs_swinging.csv").string(), "--rig",
                  "rig.json", "--json"});
   ASSERT_FALSE(outcome.out.empty()) << outcome.err;
-  const json simulated = json::parse(outcome.out)["simulated"];
+  const json report = json::parse(outcome.out);
+  // The log, the rig and the robot, whose joints make the actuators.
+  ASSERT_EQ(report["inputs"].size(), 3u);
+  EXPECT_EQ(report["inputs"][2]["path"], "go2.json");
+  const json& simulated = report["simulated"];
   const json& longest = simulated["windows"].back()["before"];
   EXPECT_NEAR(longest["train_rms"], kOutside_rad, kApart_rad);
   EXPECT_NEAR(longest["holdout_rms"], kOutside_rad, kApart_rad);
@@ -64,6 +68,22 @@ TEST(RobotLogStudy, FollowsAQuadrupedAsAnotherEngineDoes) {
   for (const char* sister : {"FL_calf_joint", "FR_calf_joint", "RR_calf_joint"}) {
     EXPECT_GT(by_joint["RL_calf_joint"], 1.5 * by_joint[sister]) << sister;
   }
+}
+
+TEST(RobotLogStudy, WritesNothingOverTheRobot) {
+  const fs::path folder = log_folder();
+  if (folder.empty()) GTEST_SKIP() << "no ../shared/data/logs/go2_in_air: the log is not here";
+  const Workplace place;
+  const std::string model = (folder / "go2.xml").string();
+  ASSERT_EQ(place.run({"robot", "import", model, "-o", "go2.json"}).exit_code, 0);
+  place.write("rig.json", rig().dump());
+  const std::string before = place.text("go2.json");
+  const Outcome outcome = place.run({"identify", (folder / "legs_swinging.csv").string(), "--rig",
+                                     "rig.json", "--refined", "FL_calf_joint=go2.json"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_NE(outcome.err.find("go2.json: cannot be written: it is an input"), std::string::npos)
+      << outcome.err;
+  EXPECT_EQ(place.text("go2.json"), before);
 }
 
 }  // namespace

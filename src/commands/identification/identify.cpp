@@ -163,10 +163,12 @@ void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
     context.logged.emplace_back(identification::name_of(column.quantity));
   }
   for (const auto& actuator : inputs.actuators) {
-    context.actuator_files.push_back(actuator.nominal.documents.front().file);
+    const io::Document& document = actuator.nominal.documents.front();
+    context.actuator_files.push_back(document.file + document.path);
+    context.has_actuator_files.push_back(document.path.empty());
   }
   std::vector<io::FileContent> files = refined_files(inputs, found.refined);
-  for (const io::FileContent& file : files) context.refined_files.push_back(file.file.string());
+  if (!files.empty()) context.refined_files = inputs.refined;
   if (found.refined.judged)
     context.as_written = report::written_sentence(found.identification, *found.refined.judged);
   if (!request.report_file.empty()) {

@@ -12,6 +12,7 @@
 #include "io/text/name_pattern.hpp"
 #include "io/text/nearest.hpp"
 #include "io/text/wording.hpp"
+#include "robot/model/robot_spec.hpp"
 #include "src/commands/shared/moved_references_json.hpp"
 #include "src/standard_output.hpp"
 
@@ -96,7 +97,10 @@ void require_plain_logs(const IdentifyRequest& request) {
 }
 
 void check_files(const IdentifyRequest& request, const IdentifyInputs& inputs) {
-  std::vector<std::filesystem::path> written(inputs.refined.begin(), inputs.refined.end());
+  std::vector<std::filesystem::path> written;
+  for (const std::string& file : inputs.refined) {
+    if (!file.empty()) written.emplace_back(file);
+  }
   if (!request.outputs.empty()) written.emplace_back(report_document(request));
   if (!request.report_file.empty()) written.emplace_back(request.report_file);
   std::vector<std::filesystem::path> read(request.logs.begin(), request.logs.end());
@@ -105,8 +109,10 @@ void check_files(const IdentifyRequest& request, const IdentifyInputs& inputs) {
     for (const io::Document& document : actuator.nominal.documents)
       read.emplace_back(document.file);
   }
+  for (const io::Document& document : inputs.robot_documents) read.emplace_back(document.file);
   check_written(written, read);
   for (std::size_t i = 0; i < inputs.refined.size(); ++i) {
+    if (inputs.refined[i].empty()) continue;
     require_movable_actuator(inputs.actuators[i].nominal.documents.front(), inputs.refined[i]);
   }
 }
@@ -119,12 +125,15 @@ IdentifyInputs read_inputs(const IdentifyRequest& request) {
   inputs.rig = identification::read_rig(inputs.rig_document);
   const bool is_robot = inputs.rig.load.type == identification::LoadType::kRobot;
   if (!is_robot && request.actuators.empty()) command_line::refuse("--actuator is required");
-  const std::vector<std::string> files =
-      is_robot ? given_by_joint(inputs.rig, "--actuator", request.actuators)
-               : by_joint(inputs.rig, "--actuator", request.actuators);
+  const auto files_of = is_robot ? given_by_joint : by_joint;
+  const std::vector<std::string> files = files_of(inputs.rig, "--actuator", request.actuators);
   if (!request.refined.empty()) {
     inputs.refined =
-        by_joint(inputs.rig, request.is_old_spelling ? "-o" : "--refined", request.refined);
+        files_of(inputs.rig, request.is_old_spelling ? "-o" : "--refined", request.refined);
+  }
+  if (is_robot) {
+    const std::filesystem::path beside = std::filesystem::path(inputs.rig.file).parent_path();
+    inputs.robot_documents = hopper::read_robot(beside / inputs.rig.load.robot->file).documents;
   }
   for (std::size_t i = 0; i < files.size(); ++i) {
     inputs.actuators.push_back(

@@ -15,7 +15,10 @@ struct IdentifyInputs {
   io::Document rig_document;
   identification::Rig rig;
   std::vector<identification::JointActuator> actuators;
-  std::vector<std::string> refined;  ///< Files to be written; empty: not asked for.
+  /// Files to be written, of a robot's joints an empty name for those that are not; empty: not
+  /// asked for.
+  std::vector<std::string> refined;
+  std::vector<io::Document> robot_documents;  ///< Where the load is a robot: its own, its drives'.
 };
 
 /// Throws io::SpecError for what cannot be read, a joint that the rig does not have, one without an

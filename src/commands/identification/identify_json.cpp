@@ -27,7 +27,9 @@ std::string identify_json(const IdentifyRequest& request, const IdentifyInputs& 
   std::vector<io::Document> read;
   for (const auto& file : found.files) read.push_back({file.path, "", {}, file.sha256});
   read.push_back(inputs.rig_document);
+  read.insert(read.end(), inputs.robot_documents.begin(), inputs.robot_documents.end());
   for (const auto& actuator : inputs.actuators) {
+    if (!actuator.nominal.documents.front().path.empty()) continue;  // made of the robot's
     read.insert(read.end(), actuator.nominal.documents.begin(), actuator.nominal.documents.end());
   }
   return result_text(std::move(document), read);

@@ -79,6 +79,7 @@ std::vector<io::FileContent> refined_files(const IdentifyInputs& inputs,
   }
   std::vector<io::FileContent> files;
   for (std::size_t i = 0; i < inputs.refined.size(); ++i) {
+    if (inputs.refined[i].empty()) continue;
     if (i < refined.of_joints.size()) {
       files.push_back({inputs.refined[i], refined.of_joints[i].text});
     } else {

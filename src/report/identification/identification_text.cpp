@@ -233,6 +233,7 @@ std::string refined_lines(const Identification& found, const IdentificationConte
   std::string text;
   std::string_view step = "6 refined";
   for (const std::string& file : context.refined_files) {
+    if (file.empty()) continue;
     text += line(step, "written to " + io::name_in_text(file));
     step = "";
   }

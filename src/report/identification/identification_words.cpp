@@ -74,8 +74,9 @@ std::string compare_command(const IdentificationContext& context, std::size_t i,
                             const std::string& refined) {
   const std::string nominal =
       i < context.actuator_files.size() ? context.actuator_files[i] : "ACTUATOR";
-  return fmt::format("torquewright actuator mor {} --compare {}", shell_word(refined),
-                     shell_word(nominal));
+  const std::string mor = fmt::format("torquewright actuator mor {}", shell_word(refined));
+  const bool is_file = i >= context.has_actuator_files.size() || context.has_actuator_files[i];
+  return is_file ? fmt::format("{} --compare {}", mor, shell_word(nominal)) : mor;
 }
 
 void add_separation(const Identification& found, std::vector<std::string>& steps) {
@@ -168,6 +169,7 @@ std::vector<std::string> next_steps(const Identification& found,
                     compare_command(context, 0, "REFINED"));
   }
   for (std::size_t i = 0; i < context.refined_files.size(); ++i) {
+    if (context.refined_files[i].empty()) continue;
     steps.push_back(compare_command(context, i, context.refined_files[i]));
   }
   return steps;

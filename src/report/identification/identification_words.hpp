@@ -15,10 +15,13 @@ struct IdentificationContext {
   std::string rig_file;
   std::string rig_name;
   std::vector<std::string> actuator_files;  ///< In the order of the rig's joints.
-  std::vector<std::string> refined_files;   ///< Written; the same order, or empty.
-  std::vector<std::string> logged;          ///< Quantities of the rig's columns.
-  bool select = true;                       ///< False: `identify residual`.
-  std::string as_written = {};              ///< What those written leave (written_sentence).
+  /// Written; the same order, with an empty name where none was, or empty.
+  std::vector<std::string> refined_files;
+  std::vector<std::string> logged;  ///< Quantities of the rig's columns.
+  bool select = true;               ///< False: `identify residual`.
+  std::string as_written = {};      ///< What those written leave (written_sentence).
+  /// Whether an actuator's file is one that other commands read, and not made of a robot's joint.
+  std::vector<bool> has_actuator_files = {};
 };
 
 /// What texts and pictures of an identification share.
