@@ -9,6 +9,7 @@
 
 #include "actuator/effects/every_effect.hpp"
 #include "io/documents/document.hpp"
+#include "io/faults/refusal.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -34,6 +35,12 @@ json effects_of(const dynamics::PassiveForces& passive) {
   if (passive.dry_friction > 0.0) {
     effects.push_back({{"effect", actuator::effects::coulomb_friction.name},
                        {"parameters", {{"coulomb_Nm", passive.dry_friction}}}});
+  }
+  if (passive.stiffness > 0.0) {
+    effects.push_back({{"effect", actuator::effects::parallel_spring.name},
+                       {"parameters",
+                        {{"stiffness_Nm_rad", passive.stiffness},
+                         {"neutral_angle_rad", passive.rest_position}}}});
   }
   return effects;
 }
@@ -63,6 +70,15 @@ json document_of(const dynamics::Joint& joint, const std::string& robot_file) {
 actuator::ReadActuator actuator_of_joint(const Rig& rig, std::size_t joint) {
   const RobotLoad& robot = *rig.load.robot;
   const std::string file = (std::filesystem::path(rig.file).parent_path() / robot.file).string();
+  const dynamics::PassiveForces& passive = robot.joints[joint].passive;
+  if (passive.static_friction > passive.dry_friction) {
+    io::refuse(file,
+               fmt::format("{} holds {:g} Nm at rest where it takes {:g} moving, and at which "
+                           "speed it changes is not stated; name its drive, --actuator "
+                           "{}=FILE, with stribeck friction",
+                           rig.joints[joint], passive.static_friction, passive.dry_friction,
+                           rig.joints[joint]));
+  }
   return actuator::read_actuator(io::check_document(document_of(robot.joints[joint], robot.file),
                                                     "actuator", file,
                                                     "/joints/" + rig.joints[joint]));

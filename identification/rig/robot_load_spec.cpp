@@ -48,6 +48,17 @@ void require_held(const nlohmann::json& load, const dynamics::Tree& tree, const 
          "while the log was taken (a base that moves cannot be told from its joints yet)");
 }
 
+/// Nothing in a rig stands for metres.
+void require_turning_joints(const std::vector<std::string>& named, const RobotLoad& robot,
+                            const Report& report) {
+  for (std::size_t body = 1; body < robot.tree.bodies.size(); ++body) {
+    const dynamics::Joint& joint = robot.joints[body];
+    if (joint.kind == dynamics::JointKind::kRevolute) continue;
+    if (std::find(named.begin(), named.end(), joint.name) == named.end()) continue;
+    report("/file", fmt::format("\"{}\" slides: only joints that turn can be read", joint.name));
+  }
+}
+
 void require_direct_drives(const hopper::Robot& robot, const Report& report) {
   for (const hopper::Drivetrain& drivetrain : robot.drivetrains) {
     const std::string_view type = drivetrain.mechanism->type();
@@ -92,6 +103,7 @@ std::vector<std::string> joints_in_log(const std::vector<std::string>& named, Ro
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     report("", unknown_joint(name, known));
   }
+  require_turning_joints(named, robot, report);
   std::vector<std::string> joints, silent;
   std::vector<dynamics::Joint> of_joints;
   for (std::size_t body = 1; body < robot.tree.bodies.size(); ++body) {

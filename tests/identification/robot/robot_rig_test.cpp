@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "identification/rig/column_patterns.hpp"
+#include "identification/rig/joint_actuator_json.hpp"
 #include "identification/rig/rig.hpp"
 #include "io/documents/document.hpp"
 #include "io/text/name_pattern.hpp"
@@ -103,6 +106,50 @@ TEST(RobotRig, AsksWhereJointsStandThatTheLogDoesNotHold) {
   const Rig found = read(rig);
   EXPECT_EQ(found.joints, std::vector<std::string>{"calf_joint"});
   EXPECT_EQ(found.load.robot->held_rad.at(2), 0.7);
+}
+
+// Oracle: the numbers of the robot's document.
+TEST(RobotRig, MakesADriveOfWhatItsJointDoes) {
+  json springy = robot();
+  springy["joints"][2]["stiffness_Nm_rad"] = 3.5;
+  springy["joints"][2]["spring_rest_rad"] = -1.2;
+  const test::ScratchFolder folder;
+  folder.write("leg.json", springy.dump());
+  const Rig rig =
+      read_rig(io::read_document(folder.write("rig.json", test::leg_rig_json().dump()), "rig"));
+  const actuator::Actuator calf = actuator_of_joint(rig, 2).actuator;
+  EXPECT_EQ(calf.motor.rotor_inertia_kg_m2, 0.02);
+  std::map<std::string, std::vector<double>> effects;
+  for (const actuator::Effect& effect : calf.effects) {
+    effects[std::string(effect.kind->name)] = effect.values;
+  }
+  EXPECT_EQ(effects,
+            (std::map<std::string, std::vector<double>>{{"viscous_friction", {0.2}},
+                                                        {"coulomb_friction", {0.1}},
+                                                        {"parallel_spring", {3.5, -1.2}}}));
+}
+
+TEST(RobotRig, RefusesToMakeADriveOfAJointThatHoldsMoreAtRest) {
+  json holds = robot();
+  holds["joints"][2]["static_friction_Nm"] = 0.4;
+  const Rig rig = read(test::leg_rig_json(), holds);
+  EXPECT_NE(test::refusal([&] {
+              (void)actuator_of_joint(rig, 2);
+            }).find("calf_joint holds 0.4 Nm at rest where it takes 0.1 moving"),
+            std::string::npos);
+  EXPECT_EQ(test::refusal([&] { (void)actuator_of_joint(rig, 1); }), "");
+}
+
+TEST(RobotRig, RefusesAJointThatSlides) {
+  json slides = robot();
+  json& calf = slides["joints"][2];
+  calf = {{"name", "calf_joint"},
+          {"type", "prismatic"},
+          {"parent", "thigh"},
+          {"child", "calf"},
+          {"axis", {0, 0, 1}}};
+  EXPECT_NE(refusal_of(test::leg_rig_json(), slides).find("\"calf_joint\" slides"),
+            std::string::npos);
 }
 
 }  // namespace
