@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/faults/refusal.hpp"
 
@@ -42,20 +43,36 @@ const std::vector<MarginPart>& margin_parts() {
   return parts;
 }
 
+namespace {
+
+/// The reserve at which a part takes all that it may.
+double most_reserve(const MarginPart& part) { return part.most / part.per_reserve; }
+
+/// Of the parts that the reserve has, the one that takes all there is first.
+const MarginPart& tightest() {
+  const auto before = [](const MarginPart& one, const MarginPart& other) {
+    return other.per_reserve == 0.0 ||
+           (one.per_reserve > 0.0 && most_reserve(one) < most_reserve(other));
+  };
+  return *std::min_element(margin_parts().begin(), margin_parts().end(), before);
+}
+
+}  // namespace
+
 PlanMargins with_reserve(double reserve) {
+  const MarginPart& least = tightest();
+  if (reserve > most_reserve(least)) {
+    io::refuse("--reserve",
+               fmt::format("{:g} would keep {:g}{}{} of {} ({}), and {:g} is the most that leaves "
+                           "something to plan with: --reserve {:g}",
+                           reserve, least.per_reserve * reserve, least.unit.empty() ? "" : " ",
+                           least.unit, least.name, least.option, least.most,
+                           std::floor(1e3 * most_reserve(least)) / 1e3));
+  }
   PlanMargins margins;
   for (const MarginPart& part : margin_parts()) {
-    const double asked = part.per_reserve * reserve;
-    if (asked > part.most) {
-      io::refuse(
-          "--reserve",
-          fmt::format("{:g} would keep {:g}{}{} of {} ({}), and {:g} is the most that leaves "
-                      "something to plan with: --reserve {:.3g}",
-                      reserve, asked, part.unit.empty() ? "" : " ", part.unit, part.name,
-                      part.option, part.most, part.most / part.per_reserve));
-    }
     double& margin = margins.*part.margin;
-    margin = std::max(margin, asked);
+    margin = std::max(margin, part.per_reserve * reserve);
   }
   return margins;
 }

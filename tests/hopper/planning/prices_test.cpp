@@ -111,6 +111,25 @@ TEST(Reserve, BeyondWhatThereIsNamesThePartAndHowMuchThereIs) {
 }
 
 // Of both prices by what the reserve makes of the parts: 2 * 1 + 3 * 4.
+// Whatever was asked for, the reserve that the refusal offers is one, and but for its rounding the
+// greatest.
+TEST(Reserve, OffersOneThatLeavesSomethingOfEveryPart) {
+  for (const double asked : {0.14, 0.3, 0.9}) {
+    try {
+      (void)with_reserve(asked);
+      ADD_FAILURE() << asked;
+    } catch (const io::SpecError& error) {
+      const std::string words = error.what();
+      const std::string option = "with: --reserve ";
+      const std::size_t at = words.find(option);
+      ASSERT_NE(at, std::string::npos) << words;
+      const double offered = std::stod(words.substr(at + option.size()));
+      EXPECT_NO_THROW((void)with_reserve(offered)) << words;
+      EXPECT_THROW((void)with_reserve(offered + 1e-3), io::SpecError) << words;
+    }
+  }
+}
+
 TEST(Reserve, CostsWhatItsPartsCost) {
   EXPECT_EQ(
       reserve_price({{"a", 0.1, "", 1.0, 2.0}, {"b", 0.4, "", 4.0, 3.0}, {"c", 0.1, "", 0.0, {}}}),
