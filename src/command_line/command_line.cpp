@@ -10,6 +10,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <sstream>
+#include <type_traits>
+#include <utility>
 
 #include "io/faults/spec_error.hpp"
 #include "io/files/print.hpp"
@@ -141,6 +143,35 @@ DeclaredOption declared_option(const std::vector<std::string>& names, const std:
   option.help = help;
   option.is_argument = !names.front().starts_with('-');
   return option;
+}
+
+/// The value at declaration as the help has it; of a list or a flag none.
+template <typename Value>
+std::string default_in_help(const Value& value) {
+  if constexpr (std::is_same_v<Value, bool>) {
+    return "";
+  } else {
+    return fmt::format("{}", value);
+  }
+}
+template <typename Value>
+std::string default_in_help(const std::vector<Value>&) {
+  return "";
+}
+std::string default_in_help(const std::optional<double>& value) {
+  return value ? default_in_help(*value) : "";
+}
+
+template <typename Value>
+OptionValue value_of(const Value& value) {
+  if constexpr (std::is_same_v<Value, int>) {
+    return std::int64_t{value};
+  } else {
+    return value;
+  }
+}
+OptionValue value_of(const std::optional<double>& value) {
+  return value ? OptionValue(*value) : OptionValue();
 }
 
 }  // namespace
@@ -283,63 +314,89 @@ Option Option::needs(const std::string& other) {
   return *this;
 }
 
-Option Command::add(CLI::Option& option, const std::string& names, const std::string& value,
-                    const std::string& help, const std::string& present, bool is_list) {
-  DeclaredOption declared = declared_option(parts_of(names), value, help);
-  declared.otherwise = present;
+Option Option::echoed(const OptionEcho& echo) {
+  declared_->echo = echo;
+  return *this;
+}
+
+Option Option::stated_as(const std::string& key, int place) {
+  return echoed({key, OptionEcho::When::kUnlessUsual, place});
+}
+
+Option Option::stated_as_not(const std::string& key, int place) {
+  return echoed({key, OptionEcho::When::kUnlessUsual, place, true});
+}
+
+Option Option::always_stated_as(const std::string& key, int place) {
+  return echoed({key, OptionEcho::When::kAlways, place});
+}
+
+Option Option::stated_elsewhere_as(const std::string& key, int place) {
+  return echoed({key, OptionEcho::When::kElsewhere, place});
+}
+
+Option Option::of_one_answer() {
+  declared_->is_of_one = true;
+  return *this;
+}
+
+template <typename Value>
+Option Command::add(CLI::Option& option, const std::string& names, const Value& value,
+                    const std::string& kind, const std::string& help, bool is_list) {
+  DeclaredOption declared = declared_option(parts_of(names), kind, help);
+  declared.otherwise = default_in_help(value);
   declared.is_list = is_list;
+  declared.value_now = [&value] { return value_of(value); };
+  declared.usual = value_of(value);
   return Option(option, declared_->options.emplace_back(std::move(declared)));
 }
 
 Option Command::add_option(const std::string& names, std::string& value, const std::string& help) {
-  return add(*app_->add_option(names, value)->check(kNotEmpty), names, "TEXT", help, value);
+  return add(*app_->add_option(names, value)->check(kNotEmpty), names, value, "TEXT", help);
 }
 
 Option Command::add_option(const std::string& names, double& value, const std::string& help) {
-  return add(*app_->add_option(names, value)->check(kFinite), names, "NUMBER", help,
-             fmt::format("{}", value));
+  return add(*app_->add_option(names, value)->check(kFinite), names, value, "NUMBER", help);
 }
 
 Option Command::add_option(const std::string& names, std::optional<double>& value,
                            const std::string& help) {
-  return add(*app_->add_option(names, value)->check(kFinite), names, "NUMBER", help,
-             value ? fmt::format("{}", *value) : "");
+  return add(*app_->add_option(names, value)->check(kFinite), names, value, "NUMBER", help);
 }
 
 Option Command::add_option(const std::string& names, int& value, const std::string& help) {
-  return add(*app_->add_option(names, value)->check(whole<int>()), names, "N", help,
-             std::to_string(value));
+  return add(*app_->add_option(names, value)->check(whole<int>()), names, value, "N", help);
 }
 
 Option Command::add_option(const std::string& names, std::int64_t& value, const std::string& help) {
-  return add(*app_->add_option(names, value)->check(whole<std::int64_t>()), names, "N", help,
-             std::to_string(value));
+  return add(*app_->add_option(names, value)->check(whole<std::int64_t>()), names, value, "N",
+             help);
 }
 
 Option Command::add_option(const std::string& names, std::uint64_t& value,
                            const std::string& help) {
-  return add(*app_->add_option(names, value)->check(whole<std::uint64_t>()), names, "N", help,
-             std::to_string(value));
+  return add(*app_->add_option(names, value)->check(whole<std::uint64_t>()), names, value, "N",
+             help);
 }
 
 Option Command::add_option(const std::string& names, std::vector<std::string>& values,
                            const std::string& help) {
-  return add(*app_->add_option(names, values)->check(kNotEmpty), names, "TEXT", help, "", true);
+  return add(*app_->add_option(names, values)->check(kNotEmpty), names, values, "TEXT", help, true);
 }
 
 Option Command::add_option(const std::string& names, std::vector<double>& values,
                            const std::string& help) {
-  return add(*app_->add_option(names, values)->check(kFinite), names, "NUMBER", help, "", true);
+  return add(*app_->add_option(names, values)->check(kFinite), names, values, "NUMBER", help, true);
 }
 
 Option Command::add_option(const std::string& names, std::vector<std::int64_t>& values,
                            const std::string& help) {
-  return add(*app_->add_option(names, values)->check(whole<std::int64_t>()), names, "N", help, "",
-             true);
+  return add(*app_->add_option(names, values)->check(whole<std::int64_t>()), names, values, "N",
+             help, true);
 }
 
 Option Command::add_flag(const std::string& names, bool& value, const std::string& help) {
-  return add(*app_->add_flag(names, value), names, "", help, "");
+  return add(*app_->add_flag(names, value), names, value, "", help);
 }
 
 Command Command::add_command(const std::string& name, const std::string& help) {

@@ -53,7 +53,20 @@ class Option {
   Option excludes(const std::string& other);
   Option needs(const std::string& other);
 
+  /// Its key under "options" of a result, which states it where it is not the usual. `place`:
+  /// results state the least first, and options of one place in the order of declaration.
+  Option stated_as(const std::string& key, int place = 0);
+  /// The same, as false: of a flag that denies what the key says.
+  Option stated_as_not(const std::string& key, int place = 0);
+  /// The same, whatever it is.
+  Option always_stated_as(const std::string& key, int place = 0);
+  /// The same, of an option that the result has in a place of its own: fingerprints count it.
+  Option stated_elsewhere_as(const std::string& key, int place = 0);
+  /// Asks for what shows one answer: a sweep, which has several, refuses it by name.
+  Option of_one_answer();
+
  private:
+  Option echoed(const OptionEcho& echo);
   /// The value at declaration is no default where it lies outside what is allowed.
   void drop_default_unless(bool is_allowed);
   void says_more_than_its_kind();
@@ -103,8 +116,10 @@ class Command {
   const DeclaredCommand& declared() const { return *declared_; }
 
  private:
-  Option add(CLI::Option& option, const std::string& names, const std::string& value,
-             const std::string& help, const std::string& present, bool is_list = false);
+  /// An option whose arguments fill `value`; `kind` is the word for one of them in the help.
+  template <typename Value>
+  Option add(CLI::Option& option, const std::string& names, const Value& value,
+             const std::string& kind, const std::string& help, bool is_list = false);
 
   CLI::App* app_;
   DeclaredCommand* declared_;

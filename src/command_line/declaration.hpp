@@ -1,14 +1,33 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <list>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace torquewright::command_line {
+
+/// What the arguments say of an option; std::monostate where nothing holds unless it is named.
+using OptionValue =
+    std::variant<std::monostate, bool, double, std::int64_t, std::uint64_t, std::string,
+                 std::vector<std::string>, std::vector<double>, std::vector<std::int64_t>>;
+
+/// How a result states what an option was, under its key (option_echo.hpp).
+struct OptionEcho {
+  std::string key;  ///< "load_window_s"; empty: no result states it.
+  enum class When {
+    kUnlessUsual,  ///< Where it is not what holds where it is not named.
+    kAlways,
+    kElsewhere  ///< The result has a place of its own for it: only a fingerprint counts it.
+  } when = When::kUnlessUsual;
+  int place = 0;            ///< Least first; of the same place in the order of declaration.
+  bool is_negated = false;  ///< A flag that is stated as false.
+};
 
 /// An option or an argument by its place, as it was declared.
 struct DeclaredOption {
@@ -27,6 +46,10 @@ struct DeclaredOption {
   bool has_commas = false;        ///< A list whose values may be separated by commas.
   bool writes_file = false;       ///< Names a file to be written; "-" is standard output.
   bool is_never_printed = false;  ///< A file for which "-" is refused.
+  bool is_of_one = false;         ///< What it asks for is of one answer: no sweep takes it.
+  OptionEcho echo;
+  std::function<OptionValue()> value_now;  ///< What it is; empty of --help and --version.
+  OptionValue usual;                       ///< What it was when it was declared.
 };
 
 /// A command, or the program itself.

@@ -6,24 +6,28 @@
 namespace torquewright::cli {
 
 void add_calibration_options(command_line::Command& command, CalibrationRequest& request) {
+  request.declared = &command.declared();
   command.add_option("robot", request.robot_file, "Document of kind robot").required();
   command
       .add_option("--target", request.targets,
                   "Published figures: cam=N in N m s; cav=N:N in rad/s at the postures takeoff and "
                   "tuck, or cav@POSTURE=N")
       .required()
-      .one_value_each();
+      .one_value_each()
+      .always_stated_as("target");
   command
       .add_option("--free", request.free,
                   "POINTER[,POINTER...][=LOW:HIGH]: a value of the document to be fitted; several "
                   "pointers move together")
       .required()
-      .one_value_each();
+      .one_value_each()
+      .always_stated_as("free");
   command
       .add_option("--posture", request.postures,
                   "NAME=JOINT:POSITION,...: instead of the document's, in rad or m")
       .otherwise("the document's")
-      .one_value_each();
+      .one_value_each()
+      .always_stated_as("posture");
   command
       .add_option("--tolerance", request.tolerance,
                   "Share by which a CAV may be off to count as met; 0.01 covers the rounding of "

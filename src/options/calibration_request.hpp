@@ -19,6 +19,8 @@ struct CalibrationRequest {
   std::vector<std::string> targets;   ///< cam=6.0; cav=7.4:10.6 (takeoff, tuck); cav@NAME=7.4
   std::vector<std::string> free;      ///< POINTER[,POINTER...][=LOW:HIGH]
   std::vector<std::string> postures;  ///< NAME=JOINT:POSITION,...
+  /// Its command's options, of which results state some (command_line/option_echo.hpp).
+  const command_line::DeclaredCommand* declared = nullptr;
   double tolerance = 0.01;
   std::string output_file;       ///< Of the report.
   std::string refined_file;      ///< Of the robot with the fitted values.

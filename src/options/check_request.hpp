@@ -22,6 +22,8 @@ struct CheckOptions {
   bool torque_excludes_inertia = false;
   std::size_t runs = 1;
   double pause_s = 0.0;
+  /// Its command's options, of which results state some (command_line/option_echo.hpp).
+  const command_line::DeclaredCommand* declared = nullptr;
   std::string plot_file;
   std::string output_file;
   bool json = false;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/options/hopper_check_request.hpp"
 
+#include "src/options/echo_places.hpp"
+
 namespace torquewright::cli {
 namespace {
 
@@ -10,38 +12,42 @@ void add_physics_options(command_line::Command& command, hopper::CheckOptions& c
       .add_option("--contact-time-constant", check.contact.time_constant_s,
                   "Time constant of the simulator's soft ground, in s (MuJoCo's solref), which "
                   "says how far feet may sink")
-      .between(0.0, 10.0);
+      .between(0.0, 10.0)
+      .stated_as("contact_time_constant_s");
   command
       .add_option("--residual-limit", check.residual_share,
                   "Greatest force on the base that may stay unexplained, in weights of the robot; "
                   "with more, the check fails")
-      .between(0.0, 1e9);
+      .between(0.0, 1e9)
+      .stated_as("residual_limit");
   command
       .add_option("--left-out-share", check.left_out_share,
                   "Greatest share of the rows that may lack more than that and are named and left "
                   "out of the verdict; 0 refuses for one. What the robot does there is not judged")
-      .between(0.0, 0.5);
-  command
-      .add_option("--load-window", check.load_window_s,
-                  "Time over which a transmission's load is averaged, in s")
-      .between(1e-6, 10.0);
+      .between(0.0, 0.5)
+      .stated_as("left_out_share");
+  add_load_window(command, check);
   command
       .add_option("--repeat", check.runs,
                   "How often the motion is run, for the windings' temperature")
-      .integer_between(1, 1000000000);
+      .integer_between(1, 1000000000)
+      .stated_as("repeat");
   command.add_option("--pause", check.pause_s, "How long it rests after each run, in s")
-      .between(0.0, 1e9);
+      .between(0.0, 1e9)
+      .stated_as("pause_s", 1);
 }
 
 void add_candidate_options(command_line::Command& command, HopperCheckRequest& request) {
   command
       .add_option("--candidates", request.candidates_folder,
                   "Try the actuators and gearboxes of this folder in every place")
-      .otherwise("none is tried");
+      .otherwise("none is tried")
+      .of_one_answer();
   command
       .add_option("--ratios", request.ratios,
                   "FROM:TO[:STEP]: try the candidates with these gear ratios")
-      .otherwise("their own");
+      .otherwise("their own")
+      .stated_as("ratios");
   command.add_option("--threads", request.threads, "How many threads try candidates")
       .integer_between(1, 256)
       .needs("--candidates");
@@ -51,29 +57,35 @@ void add_file_options(command_line::Command& command, HopperCheckRequest& reques
   command
       .add_option("--plot", request.plot_file,
                   "Draw each region and in it the motion to this SVG or PNG")
-      .names_a_file();
+      .names_a_file()
+      .of_one_answer();
   command
       .add_option("--plot-loads", request.loads_file,
                   "Draw torques, ground forces and gear loads over time to this SVG or PNG")
-      .names_a_file();
+      .names_a_file()
+      .of_one_answer();
   command
       .add_option(
           "--plot-momentum", request.momentum_file,
           "Draw CAM (centroidal angular momentum), CAV (the mean angular velocity that goes with "
           "it) and the composite inertia about the lateral axis over time to this SVG or PNG")
-      .names_a_file();
+      .names_a_file()
+      .of_one_answer();
   command
       .add_option("--figures", request.figures_file,
                   "Draw the robot at moments of the motion to this SVG")
-      .names_a_file();
+      .names_a_file()
+      .of_one_answer();
   command
       .add_option("--report", request.report_file,
                   "Write a page with everything, pictures included, to this HTML")
-      .names_a_file();
+      .names_a_file()
+      .of_one_answer();
   command
       .add_option("--series", request.series_file,
                   "Write everything that was computed, by time, to this CSV")
-      .names_a_file();
+      .names_a_file()
+      .of_one_answer();
   command.add_option("-o,--output", request.output_file, "Write the report as JSON to this file")
       .names_a_file();
   command.add_flag("--json", request.json, "Print the report as JSON");
@@ -91,7 +103,8 @@ void add_column_options(command_line::Command& command, HopperCheckRequest& requ
                          "NAME=OWNER.QUANTITY[:unit][*factor]: what a column is; owners are "
                          "joints, base_x, base_z, base_pitch, ... and contacts (force_x, contact)")
              .otherwise("the header's names")
-             .one_value_each());
+             .one_value_each()
+             .stated_as("column", kInputsPlace));
   needed(command
              .add_option("--columns", request.columns_files,
                          "Document of kind trajectory_columns, which says the same")
@@ -118,31 +131,45 @@ void add_motion_options(command_line::Command& command, HopperCheckRequest& requ
   command
       .add_option("--torques", request.torques,
                   "Which torques count: best (the file's where it has all), file, dynamics")
-      .one_of({"best", "file", "dynamics"});
+      .one_of({"best", "file", "dynamics"})
+      .stated_as("torques");
   command
       .add_option(
           "--late-columns", request.late_columns,
           "What is done with accelerations, forces, flags and torques that belong to the row "
           "before, as simulators store them: find them, keep all as they stand, or shift all")
-      .one_of({"find", "keep", "shift"});
+      .one_of({"find", "keep", "shift"})
+      .stated_as("late_columns");
 }
 
 void add_contact_options(command_line::Command& command, hopper::ContactRule& contact) {
   command.add_option("--ground-height", contact.ground_height_m, "Height of the ground, in m")
-      .between(-1e6, 1e6);
+      .between(-1e6, 1e6)
+      .stated_as("ground_height_m");
   command
       .add_option("--contact-height", contact.height_m,
                   "Height up to which points of the robot touch the ground, in m")
       .otherwise("searched for")
-      .between(0.0, 10.0);
+      .between(0.0, 10.0)
+      .stated_as("contact_height_m");
   command
       .add_option("--contact-speed", contact.speed_m_s,
                   "Speed upwards or downwards up to which points touch the ground, in m/s")
       .otherwise("searched for")
-      .between(0.0, 100.0);
+      .between(0.0, 100.0)
+      .stated_as("contact_speed_m_s");
+}
+
+command_line::Option add_load_window(command_line::Command& command, hopper::CheckOptions& check) {
+  return command
+      .add_option("--load-window", check.load_window_s,
+                  "Time over which a transmission's load is averaged, in s")
+      .between(1e-6, 10.0)
+      .stated_as("load_window_s");
 }
 
 void add_hopper_check_options(command_line::Command& command, HopperCheckRequest& request) {
+  request.declared = &command.declared();
   command.add_option("robot", request.robot_file, "Document of kind robot").required();
   command
       .add_option("trajectory", request.trajectory_file,

@@ -23,6 +23,8 @@ struct HopperCheckRequest {
   WindowOptions window;
   OperatingOptions operating;
   hopper::CheckOptions check;  ///< The numbers that have an option of their own.
+  /// Its command's options, of which results state some (command_line/option_echo.hpp).
+  const command_line::DeclaredCommand* declared = nullptr;
   std::string torques = "best";
   std::string late_columns = "find";
   std::string candidates_folder;
@@ -47,6 +49,9 @@ void add_column_options(command_line::Command& command, HopperCheckRequest& requ
 void add_motion_options(command_line::Command& command, HopperCheckRequest& request);
 /// Adds what says where the ground is and which points touch it.
 void add_contact_options(command_line::Command& command, hopper::ContactRule& contact);
+
+/// Adds --load-window.
+command_line::Option add_load_window(command_line::Command& command, hopper::CheckOptions& check);
 
 /// Adds everything that `hopper check` takes.
 void add_hopper_check_options(command_line::Command& command, HopperCheckRequest& request);

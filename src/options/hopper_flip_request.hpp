@@ -15,6 +15,8 @@ namespace torquewright::cli {
 /// What `hopper flip` is asked, in the words of the command line (hopper_flip_options.hpp). An
 /// empty name of a file: not asked for.
 struct HopperFlipRequest {
+  /// Its command's options, of which results state some (command_line/option_echo.hpp).
+  const command_line::DeclaredCommand* declared = nullptr;
   std::string task = "flip";
   std::string limits = "mor";
   std::optional<double> rise_m;         ///< Empty: the task's, if it has one.

@@ -8,47 +8,63 @@
 namespace torquewright::cli {
 namespace {
 
+// Where results state options: behind those of the motion and of impacts, at 0.
+constexpr int kSurroundingsPlace = 1;
+constexpr int kTolerancesPlace = 2;
+constexpr int kGroundPlace = 3;
+constexpr int kCountedPlace = 4;  // of fingerprints alone
+
 void add_simulation_options(command_line::Command& command, HopperReplayRequest& request) {
   command
       .add_option(
           "--engine", request.engine,
           "Which engine simulates: " + named_sentences(hopper::every_engine(), "{} ({})", " or "))
-      .one_of(hopper::engine_names());
+      .one_of(hopper::engine_names())
+      .stated_elsewhere_as("engine", kCountedPlace);
   command
       .add_option("--limits", request.limits,
                   "What limits each drive: mor, its region at the voltage and temperature of the "
                   "instant; box, its peak torque at any speed up to no load")
-      .one_of({"mor", "box"});
-  command.add_option("--step", request.step_s, "Time step of the engine, in s").between(1e-6, 0.01);
+      .one_of({"mor", "box"})
+      .stated_elsewhere_as("limits", kCountedPlace);
+  command.add_option("--step", request.step_s, "Time step of the engine, in s")
+      .between(1e-6, 0.01)
+      .stated_elsewhere_as("step_s", kCountedPlace);
   command
       .add_option(
           "--control-period", request.control_period_s,
           "Time between two looks of the controller, in s; rounded to whole steps of the engine")
-      .between(1e-6, 0.1);
+      .between(1e-6, 0.1)
+      .stated_elsewhere_as("control_period_s", kCountedPlace);
   command
       .add_option(
           "--latency", request.latency_s,
           "Time from a look at the robot to the torque that answers it, in s; rounded to steps")
-      .between(0.0, 0.1);
+      .between(0.0, 0.1)
+      .stated_elsewhere_as("latency_s", kCountedPlace);
   command
       .add_option("--stand", request.stand_s,
                   "How long the robot is watched after the motion's end, in s")
-      .between(0.0, 60.0);
+      .between(0.0, 60.0)
+      .stated_as("stand_s", kSurroundingsPlace);
   command
       .add_option("--ground-rise", request.ground_rise_m,
                   "How much higher the ground is than the motion believes, in m: contact comes "
                   "early; negative: late")
-      .between(-1.0, 1.0);
+      .between(-1.0, 1.0)
+      .stated_as("ground_rise_m", kSurroundingsPlace);
   command
       .add_option("--ground-time-constant", request.contact_time_constant_s,
                   "Time constant of MuJoCo's soft ground, in s (solref); the own engine's is rigid")
-      .between(1e-4, 1.0);
+      .between(1e-4, 1.0)
+      .stated_as("ground_time_constant_s", kGroundPlace);
   command
       .add_option("--push", request.pushes,
                   "[BODY:]N_S@TIME: push a body's centre of mass (without BODY the base's) with an "
                   "impulse in N s at a time in s: 30@0.2 forwards, -5,0,10@0.2 by x, y and z")
       .otherwise("nobody pushes")
-      .one_value_each();
+      .one_value_each()
+      .stated_as("push", kSurroundingsPlace);
 }
 
 void add_tracking_options(command_line::Command& command, HopperReplayRequest& request) {
@@ -57,32 +73,40 @@ void add_tracking_options(command_line::Command& command, HopperReplayRequest& r
                   "What follows the motion: " +
                       named_sentences(hopper::every_controller(), "{}, {}", "; ") +
                       "; all feed the motion's own torques forward")
-      .one_of(hopper::controller_names());
+      .one_of(hopper::controller_names())
+      .stated_elsewhere_as("controller", kCountedPlace);
   command
       .add_option("--impact", request.impact,
                   "What is fed back of the error of velocities about an impact: default (all), "
                   "no_derivative (none), invariant (what no impulse of the contact can change)")
-      .one_of({"default", "no_derivative", "invariant"});
+      .one_of({"default", "no_derivative", "invariant"})
+      .stated_elsewhere_as("impact", kCountedPlace);
   command
       .add_option("--impact-metric", request.impact_metric,
                   "Metric in which that part is split off: euclidean, as published, or inertia")
-      .one_of({"euclidean", "inertia"});
+      .one_of({"euclidean", "inertia"})
+      .stated_as("impact_metric");
   command
       .add_option("--impact-contact", request.impact_contact,
                   "Which impulse that is: of the points that the motion brings down first, or of "
                   "their whole foot")
-      .one_of({"first", "foot"});
-  command.add_flag("--fixed-clock", request.fixed_clock,
-                   "The motion goes on by the clock, whenever contact comes; else touch-down sets "
-                   "the clock");
+      .one_of({"first", "foot"})
+      .stated_as("impact_contact");
+  command
+      .add_flag("--fixed-clock", request.fixed_clock,
+                "The motion goes on by the clock, whenever contact comes; else touch-down sets "
+                "the clock")
+      .stated_as("fixed_clock");
   command
       .add_option("--impact-window", request.impact_window_s,
                   "Half the width of the window about an impact, in s")
-      .between(1e-4, 1.0);
+      .between(1e-4, 1.0)
+      .stated_as("impact_window_s");
   command
       .add_option("--impact-blend", request.impact_blend_s,
                   "Time over which that window opens and closes, in s")
-      .between(1e-5, 1.0);
+      .between(1e-5, 1.0)
+      .stated_as("impact_blend_s");
 }
 
 void add_verdict_options(command_line::Command& command, HopperReplayRequest& request) {
@@ -91,24 +115,29 @@ void add_verdict_options(command_line::Command& command, HopperReplayRequest& re
       .add_option("--flight-tolerance", deeds.share,
                   "Share by which a flight's duration and the way to a place may be off, a rise by "
                   "twice that share")
-      .between(0.001, 0.45);
+      .between(0.001, 0.45)
+      .stated_as("flight_tolerance", kTolerancesPlace);
   command
       .add_option("--place-tolerance", deeds.place_m,
                   "How far feet may be from where the motion puts them, in m, beside that share "
                   "of the way")
-      .between(1e-4, 100.0);
+      .between(1e-4, 100.0)
+      .stated_as("place_tolerance_m", kTolerancesPlace);
   command
       .add_option("--rotation-tolerance", deeds.turn_rad,
                   "By how much the base may have turned more or less than the motion's, in rad")
-      .between(1e-3, 100.0);
+      .between(1e-3, 100.0)
+      .stated_as("rotation_tolerance_rad", kTolerancesPlace);
   command
       .add_option("--joint-tolerance", deeds.joint_rad,
                   "How far a joint may be from the motion's last posture, in rad")
-      .between(1e-3, 100.0);
+      .between(1e-3, 100.0)
+      .stated_as("joint_tolerance_rad", kTolerancesPlace);
   command
       .add_option("--slide-tolerance", deeds.slide_m,
                   "How far a slide may be from the motion's last posture, in m")
-      .between(1e-4, 100.0);
+      .between(1e-4, 100.0)
+      .stated_as("slide_tolerance_m", kTolerancesPlace);
 }
 
 void add_trial_options(command_line::Command& command, HopperReplayRequest& request) {
@@ -116,18 +145,21 @@ void add_trial_options(command_line::Command& command, HopperReplayRequest& requ
       .add_option("--trials", request.trials,
                   "How many randomised runs are made, beside the one as documented")
       .otherwise("none")
-      .integer_between(1, 1000000);
+      .integer_between(1, 1000000)
+      .stated_as("trials", kSurroundingsPlace);
   command
       .add_option("--randomise", request.randomise_file,
                   "Document of kind randomisation, which says what differs from trial to trial")
       .otherwise("what the robot is")
       .needs("--trials");
   command.add_option("--seed", request.seed, "Seed of the numbers that trials draw")
-      .needs("--trials");
+      .needs("--trials")
+      .stated_elsewhere_as("seed", kCountedPlace);
   command.add_option("--trial", request.only_trial, "Run this one of the trials alone, from 0")
       .otherwise("all")
       .integer_between(0, 999999)
-      .needs("--trials");
+      .needs("--trials")
+      .stated_as("trial", kSurroundingsPlace);
   command
       .add_option(
           "--success-rate", request.success_rate,
@@ -138,7 +170,8 @@ void add_trial_options(command_line::Command& command, HopperReplayRequest& requ
       .add_flag("--no-filter", request.without_filter,
                 "Show the controller noisy sensors as they are, without the filter of rates and "
                 "positions")
-      .needs("--trials");
+      .needs("--trials")
+      .stated_as("no_filter", kTolerancesPlace);
   command
       .add_flag("--explain", request.explains,
                 "Run as many trials again for each thing that varies, alone: which one it is that "
@@ -170,6 +203,7 @@ void add_output_options(command_line::Command& command, HopperReplayRequest& req
 }  // namespace
 
 void add_hopper_replay_options(command_line::Command& command, HopperReplayRequest& request) {
+  request.declared = &command.declared();
   command.add_option("robot", request.motion.robot_file, "Document of kind robot").required();
   command
       .add_option("motion", request.motion.trajectory_file,
@@ -178,10 +212,7 @@ void add_hopper_replay_options(command_line::Command& command, HopperReplayReque
   add_motion_options(command, request.motion);
   add_contact_options(command, request.motion.check.contact);
   add_operating_options(command, request.motion.operating);
-  command
-      .add_option("--load-window", request.motion.check.load_window_s,
-                  "Time over which a transmission's load is averaged, in s")
-      .between(1e-6, 10.0);
+  add_load_window(command, request.motion.check);
   add_simulation_options(command, request);
   add_tracking_options(command, request);
   add_verdict_options(command, request);

@@ -14,6 +14,8 @@ namespace torquewright::cli {
 /// asked for.
 struct HopperReplayRequest {
   HopperCheckRequest motion;  ///< Robot, motion and how it is read, conditions.
+  /// Its command's options, of which results state some (command_line/option_echo.hpp).
+  const command_line::DeclaredCommand* declared = nullptr;
   std::string engine = "own";
   std::string limits = "mor";
   std::string controller = "lqr";

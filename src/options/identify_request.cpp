@@ -8,6 +8,7 @@
 namespace torquewright::cli {
 
 void add_log_options(command_line::Command& command, IdentifyRequest& request) {
+  request.declared = &command.declared();
   command.add_option("logs", request.logs, "CSV files of one rig, with a header")
       .needed_by_its_work();
   command

@@ -18,6 +18,8 @@ struct IdentifyRequest {
   bool is_old_spelling = false;        ///< Refined actuators were named by -o.
   std::string report_file;
   std::vector<std::string> only, without;  ///< Effects.
+  /// Its command's options, of which results state some (command_line/option_echo.hpp).
+  const command_line::DeclaredCommand* declared = nullptr;
   double tolerance = 0.001;
   std::string as;  ///< An output's name; empty: the report.
   bool json = false;

@@ -2,6 +2,7 @@
 #include "src/options/operating_options.hpp"
 
 #include "actuator/heat/working_temperature.hpp"
+#include "src/options/echo_places.hpp"
 
 namespace torquewright::cli {
 
@@ -9,22 +10,26 @@ void add_operating_options(command_line::Command& command, OperatingOptions& opt
   command
       .add_option("--rating", options.rating,
                   "Which limits of the drive hold: peak (for seconds) or continuous")
-      .one_of({"peak", "continuous"});
+      .one_of({"peak", "continuous"})
+      .stated_as("rating", kInputsPlace);
   command
       .add_option("--bus-voltage", options.bus_voltage_V,
                   "Voltage of the source without load, in V")
       .otherwise("the document's")
-      .between(0.5, 2000.0);
+      .between(0.5, 2000.0)
+      .stated_as("bus_voltage_V", kInputsPlace);
   command
       .add_option("--state-of-charge", options.state_of_charge,
                   "How full the battery is: 0 is empty, 1 full")
       .otherwise("1")
-      .between(0.0, 1.0);
+      .between(0.0, 1.0)
+      .stated_as("state_of_charge", kInputsPlace);
   command
       .add_option("--winding-temperature", options.winding_temperature_K,
                   "Temperature at which the windings work, in K")
       .otherwise("the document's")
-      .between(actuator::kColdestWinding_K, actuator::kHottestWinding_K);
+      .between(actuator::kColdestWinding_K, actuator::kHottestWinding_K)
+      .stated_as("winding_temperature_K", kInputsPlace);
 }
 
 actuator::OperatingConditions stated_conditions(const OperatingOptions& options) {

@@ -12,6 +12,8 @@ namespace torquewright::cli {
 struct OptimizeRequest {
   std::string problem_file;
   OutputFiles outputs;
+  /// Its command's options, of which results state some (command_line/option_echo.hpp).
+  const command_line::DeclaredCommand* declared = nullptr;
   std::size_t top = 1;
   std::string relaxation = "auto";
   std::int64_t max_nodes = 0;  ///< 0: as many as it takes.

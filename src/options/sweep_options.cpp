@@ -3,7 +3,9 @@
 
 #include <filesystem>
 
+#include "io/faults/refusal.hpp"
 #include "io/files/direct_output.hpp"
+#include "src/command_line/option_echo.hpp"
 #include "src/sweep/ranks.hpp"
 
 namespace torquewright::cli {
@@ -45,6 +47,12 @@ void add_sweep_options(command_line::Command& command, SweepOptions& options) {
                   "Draw the sweep as a chart, or as a map over two quantities, to this SVG or PNG")
       .names_a_file()
       .needs("--sweep");
+}
+
+void refuse_of_one_robot(const command_line::DeclaredCommand& command) {
+  for (const std::string& option : command_line::named_of_one_answer(command)) {
+    io::refuse(option, "is of one robot, --sweep of several");
+  }
 }
 
 std::string journal_of(const PointOptions& options, const std::string& output_file) {

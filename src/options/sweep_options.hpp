@@ -33,6 +33,9 @@ bool asks_for_processes(const PointOptions& options);
 /// Adds --sweep and what goes with it.
 void add_sweep_options(command_line::Command& command, SweepOptions& options);
 
+/// Throws io::SpecError for the first option that asks for what shows one robot, beside --sweep.
+void refuse_of_one_robot(const command_line::DeclaredCommand& command);
+
 /// The journal's file: as stated, or the output's name with ".journal" behind it; none where there
 /// is no output or it is no file.
 std::string journal_of(const PointOptions& options, const std::string& output_file);

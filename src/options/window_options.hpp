@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "actuator/trajectory/trajectory_reader.hpp"
@@ -10,8 +11,8 @@ namespace torquewright::cli {
 
 /// The options by which a user says which part of a trajectory counts.
 struct WindowOptions {
-  std::vector<double> from_s;  ///< At most one.
-  std::vector<double> until_s;
+  std::optional<double> from_s;
+  std::optional<double> until_s;
 };
 
 /// Adds --from and --until.

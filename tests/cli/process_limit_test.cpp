@@ -15,8 +15,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-std::string specs(const char* file) { return in_repository("specs").string() + "/" + file; }
-
 void expect_refused(const Words& command, const std::string& said) {
   Workplace place;
   place.here.environment = {std::string("LD_PRELOAD=") + TORQUEWRIGHT_PROCESS_LIMIT_STAND_IN,
@@ -30,13 +28,13 @@ void expect_refused(const Words& command, const std::string& said) {
 }
 
 TEST(ProcessLimit, RefusesPictures) {
-  expect_refused({"actuator", "mor", specs("actuator/d151_knee.json"), "--plot", "a.svg"},
+  expect_refused({"actuator", "mor", in_specs("actuator/d151_knee.json"), "--plot", "a.svg"},
                  "--plot: gnuplot, which draws the picture, cannot be started: ");
 }
 
 TEST(ProcessLimit, RefusesSweeps) {
   expect_refused(
-      {"hopper", "check", specs("robot/hopper.json"), specs("trajectory/hopper_squat.csv"),
+      {"hopper", "check", in_specs("robot/hopper.json"), in_specs("trajectory/hopper_squat.csv"),
        "--sweep", "mass_factor=0.9,1.1", "--jobs", "2"},
       "--jobs: the system starts no further process: ");
 }

@@ -13,8 +13,6 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-std::string specs(const char* file) { return in_repository("specs").string() + "/" + file; }
-
 Outcome run_with_threads(Words command, const std::string& threads, bool is_limited) {
   Workplace place;
   if (is_limited) {
@@ -35,16 +33,16 @@ void expect_the_same(const Words& command) {
 }
 
 TEST(ThreadLimit, LeavesTheRankingOfCandidates) {
-  expect_the_same({"hopper", "check", specs("robot/hopper.json"),
-                   specs("trajectory/hopper_squat.csv"), "--candidates", specs("actuator"),
+  expect_the_same({"hopper", "check", in_specs("robot/hopper.json"),
+                   in_specs("trajectory/hopper_squat.csv"), "--candidates", in_specs("actuator"),
                    "--ratios", "8:9"});
 }
 
 TEST(ThreadLimit, LeavesTheTrialsOfAReplay) {
-  expect_the_same({"hopper", "replay", specs("robot/hopper.json"),
-                   specs("trajectory/hopper_squat.csv"), "--step", "0.0005", "--stand", "0",
+  expect_the_same({"hopper", "replay", in_specs("robot/hopper.json"),
+                   in_specs("trajectory/hopper_squat.csv"), "--step", "0.0005", "--stand", "0",
                    "--until", "0.05", "--trials", "4", "--randomise",
-                   specs("randomisation/hopper.json")});
+                   in_specs("randomisation/hopper.json")});
 }
 
 }  // namespace

@@ -14,6 +14,10 @@ std::string text_of(const fs::path& file) {
 
 fs::path in_repository(std::string_view file) { return fs::path(TORQUEWRIGHT_SOURCE_DIR) / file; }
 
+std::string in_specs(std::string_view file) {
+  return in_repository("specs").string() + "/" + std::string(file);
+}
+
 std::string with(std::string text, std::string_view from, std::string_view to) {
   const std::size_t place = text.find(from);
   if (place == std::string::npos) throw std::runtime_error("nothing reads " + std::string(from));

@@ -18,6 +18,9 @@ std::string text_of(const fs::path& file);
 /// A file of the repository, such as "specs/gearbox/d151_knee.json".
 fs::path in_repository(std::string_view file);
 
+/// A file of its specs, as an argument: in_specs("gearbox/d151_knee.json").
+std::string in_specs(std::string_view file);
+
 /// `text` with the one place that reads `from` replaced; throws where there is none.
 std::string with(std::string text, std::string_view from, std::string_view to);
 

@@ -8,19 +8,11 @@
 #include "io/documents/json_reader.hpp"
 #include "io/files/file_bytes.hpp"
 #include "src/commands/shared/result_json.hpp"
+#include "src/commands/shared/stated_json.hpp"
 #include "src/report/gearbox/proof_json.hpp"
 
 namespace torquewright::cli {
 namespace {
-
-nlohmann::ordered_json non_default_options(const OptimizeRequest& request) {
-  nlohmann::ordered_json changed = nlohmann::ordered_json::object();
-  if (request.top != 1) changed["top"] = request.top;
-  if (request.relaxation != "auto") changed["relaxation"] = request.relaxation;
-  if (request.max_nodes != 0) changed["max_nodes"] = request.max_nodes;
-  if (request.time_limit_s != 0.0) changed["time_limit_s"] = request.time_limit_s;
-  return changed;
-}
 
 void refuse_evaluation(const nlohmann::json& result, const std::string& file) {
   if (!result.is_object() || !result.contains("rank")) return;
@@ -37,7 +29,7 @@ std::string optimization_json(const OptimizeRequest& request, const ReadProblem&
   if (request.timing) result["search"]["seconds"] = seconds;
   result["problem"] = read.document.root;
   add_provenance(result, {&read.document, 1});
-  result["options"] = non_default_options(request);
+  result["options"] = stated_json(*request.declared);
   return io::json_text(result);
 }
 

@@ -231,22 +231,26 @@ void add_identify_command(command_line::Command& program) {
                       "gets the actuator, in this version only");
   command.add_option("--report", request->report_file, "Write the report with pictures, as HTML")
       .names_a_file();
-  command.add_flag(
-      "--empirical", request->empirical,
-      "Where no effect fits, report a table over the coordinate along which most is left");
+  command
+      .add_flag("--empirical", request->empirical,
+                "Where no effect fits, report a table over the coordinate along which most is left")
+      .stated_as("empirical");
   command.add_option("--only", request->only, "Effects that may be named (docs/effects.md)")
       .otherwise("any")
       .separated_by_commas()
-      .one_value_each();
+      .one_value_each()
+      .stated_as("only", 1);
   command.add_option("--without", request->without, "Effects that may not be named, as for --only")
       .otherwise("none")
       .separated_by_commas()
-      .one_value_each();
+      .one_value_each()
+      .stated_as("without", 1);
   command
       .add_option(
           "--tolerance", request->tolerance,
           "An effect that changes the prediction by less than this share of it is not named")
-      .between(0.0, 1.0);
+      .between(0.0, 1.0)
+      .stated_as("tolerance");
   std::string outputs;
   for (const identification::Output* output : identification::output_library()) {
     outputs += fmt::format("{}{}: {}", outputs.empty() ? "" : "; ", output->name, output->what);

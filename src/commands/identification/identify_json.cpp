@@ -9,6 +9,7 @@
 #include "io/faults/json_text.hpp"
 #include "src/commands/shared/moved_references_json.hpp"
 #include "src/commands/shared/result_json.hpp"
+#include "src/commands/shared/stated_json.hpp"
 
 namespace torquewright::cli {
 
@@ -19,11 +20,7 @@ std::string identify_json(const IdentifyRequest& request, const IdentifyInputs& 
   if (simulated) document["simulated"] = identification::simulated_json(*simulated);
   document["options"] = nlohmann::ordered_json::object();
   if (!request.select) document["options"]["select"] = false;
-  if (request.empirical) document["options"]["empirical"] = true;
-  if (request.tolerance != IdentifyRequest().tolerance)
-    document["options"]["tolerance"] = request.tolerance;
-  if (!request.only.empty()) document["options"]["only"] = request.only;
-  if (!request.without.empty()) document["options"]["without"] = request.without;
+  document["options"].update(stated_json(*request.declared));
   std::vector<io::Document> read;
   for (const auto& file : found.files) read.push_back({file.path, "", {}, file.sha256});
   read.push_back(inputs.rig_document);

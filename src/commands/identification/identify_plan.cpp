@@ -13,6 +13,7 @@
 #include "io/files/atomic_file.hpp"
 #include "src/commands/identification/identify_commands.hpp"
 #include "src/commands/shared/result_json.hpp"
+#include "src/commands/shared/stated_json.hpp"
 #include "src/options/noise_option.hpp"
 #include "src/report/identification/plan_json.hpp"
 #include "src/report/identification/plan_text.hpp"
@@ -28,6 +29,7 @@ struct PlanRequest {
   std::string actuator, rig, excitation;
   std::vector<std::string> noise;
   identification::PlanOptions options;
+  const command_line::DeclaredCommand* declared = nullptr;
   bool json = false;
 };
 
@@ -62,11 +64,14 @@ PlanInputs read(const PlanRequest& request) {
   return inputs;
 }
 
+std::string plan_document(const PlanRequest& request, const PlanInputs& inputs, const Plan& plan) {
+  return result_text(report::plan_json(plan, stated_json(*request.declared)), documents_of(inputs));
+}
+
 void write(const PlanRequest& request, const PlanInputs& inputs, const Plan& plan) {
   std::vector<io::FileContent> files;
   std::string text =
-      request.json ? result_text(report::plan_json(plan, inputs.options), documents_of(inputs))
-                   : report::plan_text(plan, inputs.options);
+      request.json ? plan_document(request, inputs, plan) : report::plan_text(plan, inputs.options);
   if (!request.excitation.empty()) {
     files.push_back({request.excitation, identification::excitation_csv(plan.runs)});
     if (!request.json) text += fmt::format("Written: {}\n", request.excitation);
@@ -88,6 +93,7 @@ void add_identify_plan(command_line::Command& identify) {
   auto request = std::make_shared<PlanRequest>();
   command_line::Command command =
       identify.add_command("plan", "Plan what to play, so that effects can be told apart");
+  request->declared = &command.declared();
   command.add_option("actuator", request->actuator, "Document of kind actuator, as designed")
       .required();
   command
@@ -97,8 +103,10 @@ void add_identify_plan(command_line::Command& identify) {
   command.add_option("--separate", request->options.separate, "Effects that are to be told apart")
       .otherwise("friction, saturation and inertia")
       .separated_by_commas();
-  command.add_option("--duration", request->options.duration_s,
-                     "How long all runs take together, in s; a number from 8 to 600");
+  command
+      .add_option("--duration", request->options.duration_s,
+                  "How long all runs take together, in s; a number from 8 to 600")
+      .always_stated_as("duration_s");
   command
       .add_option("--position-range", request->options.limits.position_rad,
                   "How far the output may move from where it starts, in rad")
@@ -114,7 +122,8 @@ void add_identify_plan(command_line::Command& identify) {
           "--noise", request->noise,
           "QUANTITY=SIGMA: the white noise of a column has that standard deviation, in its unit")
       .otherwise("typical ones");
-  command.add_option("--seed", request->options.seed, "Seed of the search");
+  command.add_option("--seed", request->options.seed, "Seed of the search")
+      .always_stated_as("seed");
   command.add_option("-o,--output", request->excitation, "Write the excitation to this CSV")
       .names_a_file();
   command.add_flag("--json", request->json, "Print the plan as JSON");

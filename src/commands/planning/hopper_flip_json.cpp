@@ -5,36 +5,15 @@
 #include <utility>
 
 #include "hopper/planning/search/plan_report_spec.hpp"
-#include "src/commands/actuator/check_options_json.hpp"
 #include "src/commands/shared/fingerprint_json.hpp"
 #include "src/commands/shared/result_json.hpp"
-#include "src/options/hopper_flip_options.hpp"
+#include "src/commands/shared/stated_json.hpp"
 #include "src/sweep/swept_json.hpp"
 
 namespace torquewright::cli {
 namespace {
 
 using nlohmann::ordered_json;
-
-/// What was asked for beyond the files and what the report states itself, where it is not the
-/// default.
-ordered_json request_json(const HopperFlipRequest& request) {
-  ordered_json json =
-      check_options_json(request.warm.columns, request.warm.window, request.warm.operating);
-  for (const HopperFlipOption& option : hopper_flip_options()) {
-    const std::optional<StatedValue> stated = option.stated(request);
-    if (option.key.empty() || !stated) continue;
-    std::visit([&](const auto& value) { json[option.key] = value; }, *stated);
-  }
-  return json;
-}
-
-/// The same of a sweep, whose document states nothing of it elsewhere.
-ordered_json sweep_request_json(const HopperFlipRequest& request) {
-  ordered_json json{{"task", request.task}, {"limits", request.limits}};
-  json.update(request_json(request));
-  return json;
-}
 
 std::vector<io::Document> read_documents(const HopperFlipInputs& inputs) {
   std::vector<io::Document> read = inputs.robot.documents;
@@ -50,19 +29,19 @@ std::string hopper_flip_json(const HopperFlipRequest& request, const HopperFlipI
   const auto seconds =
       request.timing ? hopper::PlanSeconds::kStated : hopper::PlanSeconds::kLeftOut;
   ordered_json document = hopper::plan_report_json(inputs.plan, result, seconds);
-  document["options"] = request_json(request);
+  document["options"] = stated_json(*request.declared);
   return result_text(std::move(document), read_documents(inputs));
 }
 
 std::string hopper_flip_fingerprint(const HopperFlipRequest& request,
                                     const HopperFlipInputs& inputs) {
-  return fingerprint("hopper flip", sweep_request_json(request), read_documents(inputs));
+  return fingerprint("hopper flip", counted_json(*request.declared), read_documents(inputs));
 }
 
 std::string hopper_flip_sweep_json(const HopperFlipRequest& request, const HopperFlipInputs& inputs,
                                    const sweep::Swept& swept) {
   ordered_json document = sweep::swept_json(swept);
-  document["options"] = sweep_request_json(request);
+  document["options"] = counted_json(*request.declared);  // it states nothing elsewhere
   return result_text(std::move(document), read_documents(inputs));
 }
 

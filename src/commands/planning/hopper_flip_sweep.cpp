@@ -5,24 +5,15 @@
 #include <utility>
 #include <vector>
 
-#include "io/faults/refusal.hpp"
 #include "src/commands/planning/hopper_flip_inputs.hpp"
 #include "src/commands/planning/hopper_flip_json.hpp"
 #include "src/commands/planning/hopper_flip_row.hpp"
 #include "src/commands/robot/robot_sweep.hpp"
 #include "src/interrupt.hpp"
-#include "src/options/hopper_flip_options.hpp"
+#include "src/options/hopper_flip_request.hpp"
 
 namespace torquewright::cli {
 namespace {
-
-/// What is of one plan alone.
-void refuse_single_outputs(const HopperFlipRequest& request) {
-  for (const HopperFlipOption& option : hopper_flip_options()) {
-    if (!option.is_of_one_plan || !option.stated(request)) continue;
-    io::refuse(option.names, "is of one robot, --sweep of several");
-  }
-}
 
 std::vector<std::filesystem::path> named_inputs(const HopperFlipRequest& request) {
   std::vector<std::filesystem::path> inputs{request.warm.robot_file};
@@ -33,7 +24,7 @@ std::vector<std::filesystem::path> named_inputs(const HopperFlipRequest& request
 }  // namespace
 
 ExitCode run_hopper_flip_sweep(const HopperFlipRequest& request) {
-  refuse_single_outputs(request);
+  refuse_of_one_robot(*request.declared);
   const std::string& output_file = request.motion_file;
   require_sweep_outputs(request.sweep, output_file, named_inputs(request));
   const HopperFlipInputs inputs = read_flip_inputs(request);

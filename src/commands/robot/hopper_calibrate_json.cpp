@@ -8,6 +8,7 @@
 #include "io/faults/json_text.hpp"
 #include "src/commands/shared/moved_references_json.hpp"
 #include "src/commands/shared/result_json.hpp"
+#include "src/commands/shared/stated_json.hpp"
 #include "src/report/robot/calibration_json.hpp"
 
 namespace torquewright::cli {
@@ -20,8 +21,7 @@ std::string calibration_result(const CalibrationRequest& request,
                                const std::vector<io::Document>& inputs,
                                const report::CalibrationReport& report) {
   nlohmann::ordered_json result = report::calibration_json(report);
-  result["options"] = {
-      {"target", request.targets}, {"free", request.free}, {"posture", request.postures}};
+  result["options"] = stated_json(*request.declared);
   return result_text(std::move(result), inputs);
 }
 

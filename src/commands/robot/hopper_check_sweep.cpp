@@ -17,20 +17,6 @@ namespace {
 
 using hopper::Quantity;
 
-/// What shows one robot alone.
-void refuse_single_outputs(const HopperCheckRequest& request) {
-  for (const auto& [option, file] :
-       {std::pair<const char*, const std::string&>{"--plot", request.plot_file},
-        {"--plot-loads", request.loads_file},
-        {"--plot-momentum", request.momentum_file},
-        {"--figures", request.figures_file},
-        {"--report", request.report_file},
-        {"--series", request.series_file},
-        {"--candidates", request.candidates_folder}}) {
-    if (!file.empty()) io::refuse(option, "is of one robot, --sweep of several");
-  }
-}
-
 /// Whether the motion asks other torques of other robots of the sweep.
 bool changes_torques(const RobotSweep& asked) {
   return asked.has(Quantity::kMass) || asked.has(Quantity::kRatio);
@@ -57,7 +43,7 @@ void take_from_dynamics(const RobotSweep& asked, hopper::Motion& motion,
 }  // namespace
 
 ExitCode run_hopper_check_sweep(const HopperCheckRequest& request) {
-  refuse_single_outputs(request);
+  refuse_of_one_robot(*request.declared);
   const std::vector<std::filesystem::path> named_inputs{request.robot_file,
                                                         request.trajectory_file};
   require_sweep_outputs(request.sweep, request.output_file, named_inputs);

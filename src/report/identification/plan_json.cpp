@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace torquewright::report {
 namespace {
@@ -26,7 +27,7 @@ ordered_json expected_json(const Expected& expected) {
 
 }  // namespace
 
-nlohmann::ordered_json plan_json(const Plan& plan, const identification::PlanOptions& options) {
+nlohmann::ordered_json plan_json(const Plan& plan, ordered_json options) {
   ordered_json document;
   document["separable"] = plan.is_separable();
   document["parameters"] = ordered_json::array();
@@ -50,7 +51,7 @@ nlohmann::ordered_json plan_json(const Plan& plan, const identification::PlanOpt
     document["noise"][std::string(identification::name_of(quantity))] = sigma;
   }
   document["tried"] = plan.tried;
-  document["options"] = {{"duration_s", options.duration_s}, {"seed", options.seed}};
+  document["options"] = std::move(options);
   return document;
 }
 

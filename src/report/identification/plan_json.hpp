@@ -8,7 +8,7 @@
 namespace torquewright::report {
 
 /// A plan as a document without its provenance ("tool", "inputs"). An infinite error is null.
-nlohmann::ordered_json plan_json(const identification::Plan& plan,
-                                 const identification::PlanOptions& options);
+/// `options` are the document's: what the command was asked.
+nlohmann::ordered_json plan_json(const identification::Plan& plan, nlohmann::ordered_json options);
 
 }  // namespace torquewright::report
