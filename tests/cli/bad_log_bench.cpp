@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/cli/bad_log_bench.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <array>
-#include <cmath>
-#include <numbers>
-
 #include "io/documents/schema.hpp"
+#include "tests/cli/four_quadrants.hpp"
 
 namespace torquewright::cli_test::bad_logs {
 namespace {
@@ -17,33 +13,6 @@ using nlohmann::json;
 
 constexpr double kCoulomb_Nm = 0.6;
 constexpr double kErrors = 4.0;  ///< Standard errors of a fit to one fixed log.
-constexpr double kStep_s = 0.005;
-
-double sum_of_sines(const std::vector<std::array<double, 3>>& terms, double t, double shift) {
-  double sum = 0.0;
-  for (const auto& [amplitude, frequency_Hz, phase] : terms) {
-    sum += amplitude * std::sin(2.0 * std::numbers::pi * frequency_Hz * t + phase * shift);
-  }
-  return sum;
-}
-
-/// Speed and current of different frequencies: all four quadrants. Turns more than once around.
-std::string excitation(double speed_scale) {
-  std::string text = "time_s,motor_current_A,output_velocity_rad_s,run\n";
-  for (std::size_t run = 1; run <= kRuns; ++run) {
-    for (std::size_t k = 0; k < kRowsPerRun; ++k) {
-      const double t = static_cast<double>(k) * kStep_s;
-      const auto shift = static_cast<double>(run);
-      text += fmt::format(
-          "{:.6g},{:.6g},{:.6g},run_{}\n", t,
-          sum_of_sines({{8.0, 0.23, 1.1}, {6.0, 0.57, 0.3}, {4.0, 1.9, 2.2}}, t, shift),
-          speed_scale *
-              sum_of_sines({{4.0, 0.15, 0.4}, {1.5, 0.71, 1.7}, {0.8, 1.3, 2.9}}, t, shift),
-          run);
-    }
-  }
-  return text;
-}
 
 std::string simulated_text(double speed_scale) {
   const Workplace place;
@@ -53,7 +22,7 @@ std::string simulated_text(double speed_scale) {
                        {"provenance", "assumed"}}};
   place.write("truth.json", truth.dump());
   place.write("rig.json", rig_document().dump());
-  place.write("excitation.csv", excitation(speed_scale));
+  place.write("excitation.csv", four_quadrants(kRowsPerRun, speed_scale));
   const Outcome outcome = place.run(
       {"identify", "simulate", "truth.json", "--rig", "rig.json", "--excitation", "excitation.csv",
        "--noise", "output_torque_Nm=0.2", "--noise", "output_position_rad=0.0005", "--noise",

@@ -3,13 +3,12 @@
 // back by `identify`. Oracle: what was put in.
 #include <gtest/gtest.h>
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 #include <set>
 #include <string>
 
+#include "tests/cli/four_quadrants.hpp"
 #include "tests/cli/spoilt_log.hpp"
 #include "tests/cli/workplace.hpp"
 
@@ -20,31 +19,6 @@ using nlohmann::json;
 
 /// Standard errors of a fit to one fixed log.
 constexpr double kErrors = 4.0;
-
-double sum_of_sines(const std::array<std::array<double, 3>, 3>& terms, double t, double shift) {
-  double sum = 0.0;
-  for (const auto& [amplitude, frequency_Hz, phase] : terms) {
-    sum += amplitude * std::sin(2.0 * std::numbers::pi * frequency_Hz * t + phase * shift);
-  }
-  return sum;
-}
-
-/// A dynamometer in all four quadrants, at up to 6.3 rad/s times the scale.
-std::string excitation(double speed_scale) {
-  std::string text = "time_s,motor_current_A,output_velocity_rad_s,run\n";
-  for (int run = 1; run <= 4; ++run) {
-    for (int k = 0; k < 2400; ++k) {
-      const double t = 0.005 * k;
-      text += fmt::format(
-          "{:.6g},{:.6g},{:.6g},run_{}\n", t,
-          sum_of_sines({{{8.0, 0.23, 1.1}, {6.0, 0.57, 0.3}, {4.0, 1.9, 2.2}}}, t, run),
-          speed_scale *
-              sum_of_sines({{{4.0, 0.15, 0.4}, {1.5, 0.71, 1.7}, {0.8, 1.3, 2.9}}}, t, run),
-          run);
-    }
-  }
-  return text;
-}
 
 const json kRig = {{"kind", "rig"},
                    {"version", 1},
@@ -74,7 +48,7 @@ json report_on(
   truth["effects"] = effects;
   place.write("truth.json", truth.dump());
   place.write("rig.json", kRig.dump());
-  place.write("excitation.csv", excitation(speed_scale));
+  place.write("excitation.csv", four_quadrants(2400, speed_scale));
   const Outcome played = place.run(
       {"identify", "simulate", "truth.json", "--rig", "rig.json", "--excitation", "excitation.csv",
        "--noise", "output_torque_Nm=0.1", "--noise", "output_position_rad=0.0002", "--noise",

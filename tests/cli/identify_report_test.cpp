@@ -9,40 +9,20 @@
 #include <numbers>
 
 #include "io/documents/schema.hpp"
+#include "tests/cli/example_bench.hpp"
 #include "tests/cli/spoilt_log.hpp"
-#include "tests/cli/workplace.hpp"
-#include "tests/oracles/bench_log/scenario.hpp"
 
 namespace torquewright::cli_test::identify_report {
 namespace {
 
 using nlohmann::json;
 
-/// The example bench, or a drawn one.
-struct Bench {
-  Workplace place;
-  std::vector<std::string> logs{"log.csv"};
-
-  Bench() {
-    for (const auto& [name, file] : {std::pair{"log.csv", "specs/log/bench_as_built.csv"},
-                                     std::pair{"rig.json", "specs/log/bench_rig.json"},
-                                     std::pair{"actuator.json", "specs/log/bench_actuator.json"}}) {
-      place.write(name, text_of(in_repository(file)));
-    }
-  }
-  explicit Bench(const oracles::Scenario& scenario) {
-    logs.clear();
-    for (const auto& log : oracles::write_scenario(place.path(), scenario).logs)
-      logs.push_back(log.filename());
-  }
+/// What `identify` reports of a bench.
+struct Bench : cli_test::Bench {
+  using cli_test::Bench::Bench;
 
   Outcome run(const std::vector<std::string>& more) const {
-    std::vector<std::string> command = {"identify"};
-    command.insert(command.end(), logs.begin(), logs.end());
-    for (const char* word : {"--rig", "rig.json", "--actuator", "actuator.json"})
-      command.emplace_back(word);
-    command.insert(command.end(), more.begin(), more.end());
-    return place.run(command);
+    return cli_test::Bench::run({"identify"}, more);
   }
   json report(std::vector<std::string> more = {}) const {
     more.emplace_back("--json");

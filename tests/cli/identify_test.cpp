@@ -9,10 +9,9 @@
 #include <sstream>
 
 #include "io/documents/schema.hpp"
+#include "tests/cli/example_bench.hpp"
 #include "tests/cli/shell_words.hpp"
 #include "tests/cli/well_formed.hpp"
-#include "tests/cli/workplace.hpp"
-#include "tests/oracles/bench_log/scenario.hpp"
 
 namespace torquewright::cli_test {
 namespace {
@@ -22,36 +21,6 @@ using oracles::LogClass;
 
 /// Fits are within so many standard errors of the truth (fixed seeds).
 constexpr double kErrors = 4.0;
-
-/// A folder with the example bench: log.csv, rig.json, actuator.json.
-class Bench {
- public:
-  Bench() {
-    for (const auto& [name, file] : {std::pair{"log.csv", "specs/log/bench_as_built.csv"},
-                                     std::pair{"rig.json", "specs/log/bench_rig.json"},
-                                     std::pair{"actuator.json", "specs/log/bench_actuator.json"}}) {
-      place.write(name, text_of(in_repository(file)));
-    }
-  }
-  explicit Bench(const oracles::Scenario& scenario) {
-    logs.clear();
-    for (const auto& log : oracles::write_scenario(place.path(), scenario).logs) {
-      logs.push_back(log.filename());
-    }
-  }
-
-  Outcome run(std::vector<std::string> command, const std::vector<std::string>& more = {}) const {
-    command.insert(command.end(), logs.begin(), logs.end());
-    for (const char* word : {"--rig", "rig.json", "--actuator", "actuator.json"}) {
-      command.emplace_back(word);
-    }
-    command.insert(command.end(), more.begin(), more.end());
-    return place.run(command);
-  }
-
-  Workplace place;
-  std::vector<std::string> logs{"log.csv"};
-};
 
 /// The report, which has the shape of its schema.
 json report_of(const Outcome& outcome) {

@@ -9,11 +9,12 @@
 #include <random>
 
 #include "identification/answer/analysis.hpp"
+#include "tests/identification/free_joint.hpp"
 
 namespace torquewright::identification::harmful_standstill_test {
 namespace {
 
-constexpr double kRatio = 100.0, kTorqueConstant_Nm_A = 0.1, kInertia_kg_m2 = 5.0;
+constexpr double kNm_per_A = 10.0;
 constexpr double kStroke_rad = 0.7, kMove_s = 0.8, kCycle_s = 2.0;
 
 /// To and fro, each time with a rest behind it.
@@ -34,39 +35,17 @@ double unstated_Nm(std::size_t run, double t) {
 Log log_of_arm() {
   std::mt19937_64 random(1);
   std::normal_distribution<double> unit(0.0, 1.0);
-  Log log;
-  for (std::size_t r = 0; r < 3; ++r) {
-    Run run;
-    run.name = "run_" + std::to_string(r);
-    (r == 2 ? log.holdout_runs : log.train_runs).push_back(run.name);
-    run.joints.resize(1);
-    for (int k = 0; k < 3000; ++k) {
-      const double t = 0.01 * k;
-      run.time_s.push_back(t);
-      run.joints[0][Quantity::kOutputPosition].push_back(angle_rad(t) + 2e-4 * unit(random));
-      run.joints[0][Quantity::kMotorCurrent].push_back(
-          unstated_Nm(r, t) / (kRatio * kTorqueConstant_Nm_A) + 0.05 * unit(random));
-    }
-    run.masked.assign(run.time_s.size(), 0);
-    log.runs.push_back(std::move(run));
-  }
-  return log;
+  return test_logs::three_runs([&](std::size_t r, double t, Run& run) {
+    run.joints[0][Quantity::kOutputPosition].push_back(angle_rad(t) + 2e-4 * unit(random));
+    run.joints[0][Quantity::kMotorCurrent].push_back(unstated_Nm(r, t) / kNm_per_A +
+                                                     0.05 * unit(random));
+  });
 }
 
 TEST(HarmfulStandstill, WhatRaisesTheBalancesErrorIsNotNamed) {
-  Rig rig;
-  rig.joints = {""};
-  rig.load.type = LoadType::kFree;
-  rig.load.inertia_kg_m2 = kInertia_kg_m2;
-  actuator::Actuator actuator;
-  actuator.motor.torque_constant_Nm_A = kTorqueConstant_Nm_A;
-  actuator.motor.resistance_ohm = 0.3;
-  actuator.motor.pole_pairs = 7;
-  actuator.drive.bus_voltage_V = 48.0;
-  actuator.drive.peak_current_A = 60.0;
-  actuator.transmission.ratio = kRatio;
+  const test_logs::FreeJoint joint(5.0);
   const Log log = log_of_arm();
-  const std::vector<EquationResult> results = analyse(rig, log, 0, {&actuator}, {});
+  const std::vector<EquationResult> results = analyse(joint.rig, log, 0, {&joint.actuator}, {});
   ASSERT_EQ(results.size(), 2U);
   EXPECT_EQ(results[0].verdict, Verdict::kUnexplained);
   EXPECT_EQ(results[1].quantity, "output_position_rad");

@@ -8,25 +8,18 @@
 #include <random>
 
 #include "identification/answer/analysis.hpp"
+#include "tests/identification/free_joint.hpp"
 
 namespace torquewright::identification::own_noise_test {
 namespace {
 
-constexpr double kNm_per_A = 10.0, kStep_s = 0.01, kPositionNoise_rad = 5e-4;
+constexpr double kNm_per_A = 10.0, kPositionNoise_rad = 5e-4;
 
 /// A joint on a free load of which the rig states an inertia and calls it uncertain.
-struct SlowJoint {
-  SlowJoint(double stated_kg_m2, double current_noise_A) : noise_A(current_noise_A) {
-    rig.joints = {""};
-    rig.load.type = LoadType::kFree;
-    rig.load.inertia_kg_m2 = stated_kg_m2;
+struct SlowJoint : test_logs::FreeJoint {
+  SlowJoint(double stated_kg_m2, double current_noise_A)
+      : FreeJoint(stated_kg_m2), noise_A(current_noise_A) {
     rig.uncertain = {"/load/inertia_kg_m2"};
-    actuator.motor.torque_constant_Nm_A = 0.1;
-    actuator.motor.resistance_ohm = 0.3;
-    actuator.motor.pole_pairs = 7;
-    actuator.drive.bus_voltage_V = 48.0;
-    actuator.drive.peak_current_A = 60.0;
-    actuator.transmission.ratio = 100.0;
   }
 
   /// Of a sine of one rate about a centre, with the torque as a law of angle, speed and
@@ -35,31 +28,18 @@ struct SlowJoint {
                            const std::function<double(double, double, double)>& law) const {
     std::mt19937_64 random(1);
     std::normal_distribution<double> unit(0.0, 1.0);
-    Log log;
-    for (std::size_t r = 0; r < 3; ++r) {
-      Run run;
-      run.name = "run_" + std::to_string(r);
-      (r == 2 ? log.holdout_runs : log.train_runs).push_back(run.name);
-      run.joints.resize(1);
-      for (int k = 0; k < 3000; ++k) {
-        const double t = kStep_s * k, phase = rate_rad_s * t + 2.0 * static_cast<double>(r);
-        const double off = stroke_rad * std::sin(phase);
-        const double speed = stroke_rad * rate_rad_s * std::cos(phase);
-        const double torque = law(centre_rad + off, speed, -rate_rad_s * rate_rad_s * off);
-        run.time_s.push_back(t);
-        run.joints[0][Quantity::kOutputPosition].push_back(centre_rad + off +
-                                                           kPositionNoise_rad * unit(random));
-        run.joints[0][Quantity::kMotorCurrent].push_back(torque / kNm_per_A +
-                                                         noise_A * unit(random));
-      }
-      run.masked.assign(run.time_s.size(), 0);
-      log.runs.push_back(std::move(run));
-    }
+    const Log log = test_logs::three_runs([&](std::size_t r, double t, Run& run) {
+      const double phase = rate_rad_s * t + 2.0 * static_cast<double>(r);
+      const double off = stroke_rad * std::sin(phase);
+      const double speed = stroke_rad * rate_rad_s * std::cos(phase);
+      const double torque = law(centre_rad + off, speed, -rate_rad_s * rate_rad_s * off);
+      run.joints[0][Quantity::kOutputPosition].push_back(centre_rad + off +
+                                                         kPositionNoise_rad * unit(random));
+      run.joints[0][Quantity::kMotorCurrent].push_back(torque / kNm_per_A + noise_A * unit(random));
+    });
     return analyse(rig, log, 0, {&actuator}, {}).front();
   }
 
-  Rig rig;
-  actuator::Actuator actuator;
   double noise_A;
 };
 

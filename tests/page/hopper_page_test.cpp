@@ -11,7 +11,7 @@
 
 #include "io/files/csv.hpp"
 #include "tests/cli/workplace.hpp"
-#include "tests/page/browser.hpp"
+#include "tests/page/page_fixture.hpp"
 
 namespace torquewright::page_test {
 namespace {
@@ -32,35 +32,16 @@ constexpr const char* kDrawn =
     "e.getAttribute('d'), e.getAttribute('class')].join(' '))";
 constexpr const char* kTime = "Number(document.getElementById('time').value)";
 
-class HopperPage : public testing::Test {
+class HopperPage : public WrittenPage {
  protected:
   static void SetUpTestSuite() {
-    if (chromium().empty()) return;
-    place_ = std::make_unique<Workplace>();
-    const auto outcome =
-        place_->run({"hopper", "check", in_repository("specs/robot/hopper.json").string(),
-                     in_repository("specs/trajectory/hopper_flip.csv").string(), "--candidates",
-                     in_repository("specs/actuator").string(), "--report", "page.html", "--series",
-                     "series.csv"});
-    ASSERT_EQ(outcome.exit_code, 1) << outcome.err;
-    browser_ = std::make_unique<Browser>();
+    if (!has_browser()) return;
+    write_page({"hopper", "check", in_repository("specs/robot/hopper.json").string(),
+                in_repository("specs/trajectory/hopper_flip.csv").string(), "--candidates",
+                in_repository("specs/actuator").string(), "--report", "page.html", "--series",
+                "series.csv"});
   }
-  static void TearDownTestSuite() {
-    browser_.reset();
-    place_.reset();
-  }
-  void SetUp() override {
-    if (chromium().empty()) GTEST_SKIP() << "Chromium is not installed (Debian: chromium)";
-  }
-
-  static Browser& browser() { return *browser_; }
-  static void open(int width) { browser_->open(place_->path("page.html"), width, 900); }
-
-  static std::unique_ptr<Workplace> place_;
-  static std::unique_ptr<Browser> browser_;
 };
-std::unique_ptr<Workplace> HopperPage::place_;
-std::unique_ptr<Browser> HopperPage::browser_;
 
 /// A click on the slider, at that share of its length.
 void click_slider(Browser& browser, double share) {
@@ -120,7 +101,7 @@ TEST_F(HopperPage, MarksStandWhereTheSeriesSays) {
                       "const c = d.ownerSVGElement.dataset;"
                       "return (d.getAttribute('cy') - c.yZero) / c.ySlope; }})()",
                       header));
-      const double told = series_at(place_->path("series.csv"), header, exact_s);
+      const double told = series_at(place().path("series.csv"), header, exact_s);
       EXPECT_NEAR(drawn, told, 1e-4 * std::max(1.0, std::abs(told))) << header << exact_s;
     }
   }
@@ -265,12 +246,12 @@ TEST_F(HopperPage, ShowsDrivesAloneWhereTheBaseIsNotKnown) {
     motion += fmt::format("{0},{1},0,0,{2},1,0\n", time_s, 0.5 + 0.3 * std::sin(6 * time_s),
                           40 * std::sin(9 * time_s));
   }
-  place_->write("drives.csv", motion);
+  place().write("drives.csv", motion);
   const auto outcome =
-      place_->run({"hopper", "check", in_repository("specs/robot/hopper.json").string(),
+      place().run({"hopper", "check", in_repository("specs/robot/hopper.json").string(),
                    "drives.csv", "--report", "drives.html"});
   ASSERT_NE(outcome.exit_code, 2) << outcome.err;
-  browser().open(place_->path("drives.html"), kNarrow, 900);
+  browser().open(place().path("drives.html"), kNarrow, 900);
   click_slider(browser(), 0.3);
   const json before = browser().value_of(kDrawn);
   click_slider(browser(), 0.6);
@@ -292,16 +273,16 @@ TEST_F(HopperPage, RunsNothingOutOfNames) {
   for (json& mechanism : robot["mechanisms"]) mechanism.erase("transmission_limit");
   robot["mechanisms"][1]["actuator_names"] = {hostile, "ankle_right"};
   robot["contacts"][0]["name"] = hostile;
-  const fs::path actuators = in_repository("specs/actuator");
+  const std::filesystem::path actuators = in_repository("specs/actuator");
   robot["mechanisms"][0]["actuators"] = {(actuators / "d151_knee.json").string()};
   robot["mechanisms"][1]["actuators"] = {(actuators / "d110a_ankle.json").string(),
                                          (actuators / "d110a_ankle.json").string()};
-  place_->write("hostile.json", robot.dump());
-  const auto outcome = place_->run({"hopper", "check", "hostile.json",
+  place().write("hostile.json", robot.dump());
+  const auto outcome = place().run({"hopper", "check", "hostile.json",
                                     in_repository("specs/trajectory/hopper_flip.csv").string(),
                                     "--report", "hostile.html"});
   ASSERT_EQ(outcome.exit_code, 1) << outcome.err;
-  browser().open(place_->path("hostile.html"), kWide, 900);
+  browser().open(place().path("hostile.html"), kWide, 900);
   click_slider(browser(), 0.37);
   EXPECT_EQ(browser().value_of("typeof window.injected"), "undefined");
   EXPECT_EQ(browser().value_of("document.querySelectorAll('img').length"), 0);

@@ -9,7 +9,7 @@
 
 #include "io/files/csv.hpp"
 #include "tests/cli/workplace.hpp"
-#include "tests/page/browser.hpp"
+#include "tests/page/page_fixture.hpp"
 
 namespace torquewright::page_test {
 namespace {
@@ -24,11 +24,10 @@ const std::string kHostile =
     ";//&amp;${window.injected=1}";
 
 /// The flip, which the robot does not survive, of a robot with a name that is code.
-class ReplayPage : public testing::Test {
+class ReplayPage : public WrittenPage {
  protected:
   static void SetUpTestSuite() {
-    if (chromium().empty()) return;
-    place_ = std::make_unique<Workplace>();
+    if (!has_browser()) return;
     json robot = json::parse(text_of(in_repository("specs/robot/hopper.json")));
     robot["name"] = kHostile;
     robot.erase("assumed");
@@ -37,44 +36,28 @@ class ReplayPage : public testing::Test {
     robot["mechanisms"][0]["actuators"] = {(actuators / "d151_knee.json").string()};
     robot["mechanisms"][1]["actuators"] = {(actuators / "d110a_ankle.json").string(),
                                            (actuators / "d110a_ankle.json").string()};
-    place_->write("robot.json", robot.dump());
-    const auto outcome = place_->run({"hopper", "replay", "robot.json",
-                                      in_repository("specs/trajectory/hopper_flip.csv").string(),
-                                      "--report", "page.html", "--series", "series.csv"});
-    ASSERT_EQ(outcome.exit_code, 1) << outcome.err;
-    browser_ = std::make_unique<Browser>();
-  }
-  static void TearDownTestSuite() {
-    browser_.reset();
-    place_.reset();
-  }
-  void SetUp() override {
-    if (chromium().empty()) GTEST_SKIP() << "Chromium is not installed (Debian: chromium)";
+    place().write("robot.json", robot.dump());
+    write_page({"hopper", "replay", "robot.json",
+                in_repository("specs/trajectory/hopper_flip.csv").string(), "--report", "page.html",
+                "--series", "series.csv"});
   }
 
-  static Browser& browser() { return *browser_; }
-  static void open(int width) { browser_->open(place_->path("page.html"), width, 900); }
   static void move_to(double time_s) {
-    browser_->value_of(
+    browser().value_of(
         fmt::format("(() => {{ const t = document.getElementById('time'); t.value = {};"
                     "t.dispatchEvent(new Event('input')); }})()",
                     time_s));
   }
   /// Of the numbers that the script reads, at the sample nearest to a time.
   static double number_at(const std::string& column, double time_s) {
-    return browser_->value_of(
+    return browser().value_of(
         fmt::format("(() => {{ const c = "
                     "JSON.parse(document.getElementById('motion').textContent).columns;"
                     "const d = c.time_s.map((t) => Math.abs(t - {}));"
                     "return c['{}'][d.indexOf(Math.min(...d))]; }})()",
                     time_s, column));
   }
-
-  static std::unique_ptr<Workplace> place_;
-  static std::unique_ptr<Browser> browser_;
 };
-std::unique_ptr<Workplace> ReplayPage::place_;
-std::unique_ptr<Browser> ReplayPage::browser_;
 
 /// A column's value in the row that is nearest to a time.
 double nearest(const std::filesystem::path& file, const std::string& header, double time_s) {
@@ -98,7 +81,7 @@ TEST_F(ReplayPage, HoldsBothMotions) {
     const double time_s = number_at("time_s", asked_s);
     for (const char* header :
          {"knee_drive_torque_Nm", "knee_drive_wanted_torque_Nm", "ankle_left_drive_speed_rad_s"}) {
-      const double told = nearest(place_->path("series.csv"), header, time_s);
+      const double told = nearest(place().path("series.csv"), header, time_s);
       // Five digits are written.
       EXPECT_NEAR(number_at(header, time_s), told, 1e-4 * std::max(1.0, std::abs(told))) << header;
     }
@@ -146,7 +129,7 @@ TEST_F(ReplayPage, SaysHowItEndedAndWhereTorqueWasCutOff) {
                                "!e.querySelector('path[d]') || /NaN|nan|inf/.test(e.outerHTML))"
                                ".length"),
             0);
-  move_to(nearest(place_->path("series.csv"), "time_s", 0.2));
+  move_to(nearest(place().path("series.csv"), "time_s", 0.2));
   EXPECT_EQ(browser().value_of("document.querySelectorAll('svg.robot .bone.bad').length"), 0);
 }
 

@@ -12,6 +12,7 @@
 #include "tests/dynamics/bit_sum.hpp"
 #include "tests/dynamics/random_tree.hpp"
 #include "tests/robot/mechanisms/ankles.hpp"
+#include "tests/robot/mechanisms/four_bars.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -52,11 +53,7 @@ FourBarGeometry any_four_bar(Dice& dice) {
     links.rocker_m = dice.chance(20) ? links.crank_m : uniform(dice, 0.1, 2);
     links.ground_m = dice.chance(20) ? links.coupler_m : uniform(dice, 0.1, 2);
   } while (four_bar_objection(links));
-  links.crank_zero_rad = uniform(dice, -3, 3);
-  links.rocker_zero_rad = uniform(dice, -3, 3);
-  links.crank_direction = dice.chance(50) ? 1 : -1;
-  links.rocker_direction = dice.chance(50) ? 1 : -1;
-  links.branch = dice.chance(50) ? 1 : -1;
+  test::mount_anyhow(dice, links);
   return links;
 }
 

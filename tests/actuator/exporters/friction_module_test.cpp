@@ -3,10 +3,8 @@
 // (actuator/region/torque_at.hpp and gear_losses.hpp) of the rotor's region; near rest the closed
 // form with tanh; slopes: central differences.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -18,11 +16,14 @@
 #include "actuator/exporters/simulator_file.hpp"
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/region/torque_at.hpp"
+#include "tests/actuator/exporters/command_output.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::actuator {
 namespace {
+
+using test::output_of;
 
 using nlohmann::json;
 
@@ -45,17 +46,6 @@ Samples random_samples(double greatest_rad_s) {
     samples.velocity_rad_s.push_back(speed(dice));
   }
   return samples;
-}
-
-std::string output_of(const std::string& command, int& status) {
-  std::FILE* pipe = ::popen(command.c_str(), "r");
-  std::string text;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-    text.append(buffer.data(), size);
-  }
-  status = WEXITSTATUS(::pclose(pipe));
-  return text;
 }
 
 /// Each made once.

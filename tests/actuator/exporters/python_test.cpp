@@ -2,20 +2,20 @@
 // Oracle: the Python interpreter. The configurations for Python are executed with stand-ins for the
 // simulators' classes (no part of them), which print what they are given.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/simulator_file.hpp"
+#include "tests/actuator/exporters/command_output.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::actuator {
 namespace {
+
+using test::output_of;
 
 using nlohmann::json;
 
@@ -75,17 +75,6 @@ if "ACTUATORS" in names:
     given.append(["entries", {"entries": len(names["ACTUATORS"])}])
 print(json.dumps(given))
 )";
-
-std::string output_of(const std::string& command, int& status) {
-  std::FILE* pipe = ::popen(command.c_str(), "r");
-  std::string text;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-    text.append(buffer.data(), size);
-  }
-  status = WEXITSTATUS(::pclose(pipe));
-  return text;
-}
 
 /// Every call that the file makes, in order: what is called, and its keywords.
 json calls_in(const std::string& configuration) {

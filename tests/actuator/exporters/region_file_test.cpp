@@ -3,11 +3,9 @@
 // voltage and temperature the table of a region that is computed there, or the closed form of a
 // motor without losses.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -17,11 +15,14 @@
 #include "actuator/exporters/simulator_file.hpp"
 #include "actuator/region/clip_table.hpp"
 #include "actuator/region/region_grid.hpp"
+#include "tests/actuator/exporters/command_output.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::actuator {
 namespace {
+
+using test::output_of;
 
 using nlohmann::json;
 
@@ -65,17 +66,6 @@ void add_conditions(Samples& samples) {
     samples.voltage_V.push_back(std::uniform_real_distribution<double>(33.6, 80.64)(dice));
     samples.temperature_K.push_back(std::uniform_real_distribution<double>(273.15, 393.15)(dice));
   }
-}
-
-std::string output_of(const std::string& command, int& status) {
-  std::FILE* pipe = ::popen(command.c_str(), "r");
-  std::string text;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-    text.append(buffer.data(), size);
-  }
-  status = WEXITSTATUS(::pclose(pipe));
-  return text;
 }
 
 std::string text_of(const Example& example, const Exporter& exporter, LawFit fit) {

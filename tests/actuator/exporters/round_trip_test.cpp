@@ -2,10 +2,8 @@
 // Oracle: readers of their own for every format (exported_parameters.cpp), which apply each
 // simulator's law to the numbers that stand in the file.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 #include <tinyxml2.h>
 
-#include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -16,12 +14,15 @@
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/library.hpp"
 #include "actuator/exporters/simulator_file_json.hpp"
+#include "tests/actuator/exporters/command_output.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"
 #include "tests/actuator/exporters/exported_parameters.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::actuator {
 namespace {
+
+using test::output_of;
 
 // Of the peak torque: some roundings of the conversions (degrees, gear ratio, gains).
 constexpr double kPrinted = 1e-11;
@@ -138,17 +139,6 @@ TEST(Json, HoldsTheFileItsNumbersAndItsErrors) {
   const auto table = simulator_file_json(subject, simulator_file(subject, exporters::drake, {}));
   EXPECT_EQ(table.at("parameters").at("speed_rad_s").size(),
             table.at("parameters").at("torque_max_Nm").size());
-}
-
-std::string output_of(const std::string& command, int& status) {
-  std::FILE* pipe = ::popen(command.c_str(), "r");
-  std::string text;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-    text.append(buffer.data(), size);
-  }
-  status = WEXITSTATUS(::pclose(pipe));
-  return text;
 }
 
 // Oracle: a C++ compiler. The generated functions, with stand-ins for the classes that they derive

@@ -5,12 +5,9 @@
 // (actuator/region/torque_at.hpp and gear_losses.hpp); DC motors of Newton by the two lines that
 // its own class states.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <random>
 
@@ -20,11 +17,14 @@
 #include "actuator/exporters/simulator_file.hpp"
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/region/torque_at.hpp"
+#include "tests/actuator/exporters/command_output.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::actuator {
 namespace {
+
+using test::output_of;
 
 using nlohmann::json;
 
@@ -59,17 +59,6 @@ std::string module_text(const Actuator& actuator, const Exporter& exporter,
                         FrictionPlace friction = FrictionPlace::kJoint) {
   const ExportedDrive drive(actuator, exporter, {.fit = LawFit::kBest, .friction = friction});
   return simulator_file(drive.subject(), exporter, {"origin"}).text;
-}
-
-std::string output_of(const std::string& command, int& status) {
-  std::FILE* pipe = ::popen(command.c_str(), "r");
-  std::string text;
-  std::array<char, 4096> buffer{};
-  while (const std::size_t size = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
-    text.append(buffer.data(), size);
-  }
-  status = WEXITSTATUS(::pclose(pipe));
-  return text;
 }
 
 /// The other drive of a robot, whose module is there beside the first's.

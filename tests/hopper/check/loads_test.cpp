@@ -17,6 +17,7 @@
 #include "robot/mechanisms/constant_jacobian.hpp"
 #include "tests/actuator/check/simple_actuator.hpp"
 #include "tests/actuator/example_actuator.hpp"
+#include "tests/hopper/check/made_motion.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -24,15 +25,7 @@ namespace {
 using Eigen::Index;
 
 /// A floating body with one foot, and two drives of ratio 10 and -10 on two hinges.
-struct DrivenMotion {
-  Robot robot;
-  CheckOptions options;
-  Motion motion;
-  ContactSchedule contacts;
-  Demand demand;
-
-  CheckedMotion checked() const { return {robot, options, motion, contacts, demand}; }
-
+struct DrivenMotion : check_test::MadeMotion {
   explicit DrivenMotion(Index samples) {
     robot.tree.base = dynamics::BaseKind::kPlanar;
     robot.tree.bodies.resize(3);

@@ -8,6 +8,7 @@
 #include "hopper/check/rules/every_rule.hpp"
 #include "robot/mechanisms/constant_jacobian.hpp"
 #include "tests/actuator/example_actuator.hpp"
+#include "tests/hopper/check/made_motion.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -16,15 +17,7 @@ using actuator::Severity;
 using Eigen::Index;
 
 /// A robot in motion with nothing in it but what a test puts there.
-struct Scene {
-  Robot robot;
-  CheckOptions options;
-  Motion motion;
-  ContactSchedule contacts;
-  Demand demand;
-
-  CheckedMotion checked() const { return {robot, options, motion, contacts, demand}; }
-
+struct Scene : check_test::MadeMotion {
   /// 10 ms a sample, from 1 s on; everything rests at zero.
   void take_samples(Index samples) {
     for (Index i = 0; i < samples; ++i) {

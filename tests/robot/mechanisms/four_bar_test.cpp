@@ -5,6 +5,7 @@
 
 #include "tests/robot/mechanisms/ankles.hpp"
 #include "tests/robot/mechanisms/derivatives.hpp"
+#include "tests/robot/mechanisms/four_bars.hpp"
 #include "tests/robot/mechanisms/joint_position.hpp"
 
 namespace torquewright::hopper {
@@ -49,11 +50,7 @@ FourBarGeometry drawn(Dice& dice) {
     links.rocker_m = uniform(dice, 0.1, 2);
     links.ground_m = uniform(dice, 0.1, 2);
   } while (four_bar_objection(links));
-  links.crank_zero_rad = uniform(dice, -3, 3);
-  links.rocker_zero_rad = uniform(dice, -3, 3);
-  links.crank_direction = dice.chance(50) ? 1 : -1;
-  links.rocker_direction = dice.chance(50) ? 1 : -1;
-  links.branch = dice.chance(50) ? 1 : -1;
+  test::mount_anyhow(dice, links);
   return links;
 }
 
