@@ -33,9 +33,3 @@ add_library(exact_arithmetic INTERFACE)
 target_link_libraries(exact_arithmetic INTERFACE gmpxx gmp)
 add_library(precise_intervals INTERFACE)
 target_link_libraries(precise_intervals INTERFACE mpfi mpfr gmp)
-
-# MPI: sweeps over machines, where it is installed (Debian's libopenmpi-dev).
-pkg_check_modules(OPENMPI IMPORTED_TARGET ompi)
-if(NOT OPENMPI_FOUND)
-  message(STATUS "built without MPI: libopenmpi-dev is not installed")
-endif()

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/sweep/journal_json.hpp"
 
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "io/files/sha256.hpp"
+#include "src/sweep/ranks.hpp"
 
 namespace torquewright::sweep {
 namespace {
@@ -39,38 +39,76 @@ bool is_text(const ordered_json& entry, const char* key) {
   return entry.contains(key) && entry[key].is_string();
 }
 
-}  // namespace
-
-Journal::Journal(const Request& request) : request_(request) {
-  if (request.journal_file.empty()) return;
-  file_ = std::make_unique<io::JournalFile>(request.journal_file, kFirstLine);
+/// A run that has a name is of several.
+io::JournalFile::Writers writers_of(const std::string& run) {
+  return run.empty() ? io::JournalFile::Writers::kOne : io::JournalFile::Writers::kSeveral;
 }
 
-std::vector<std::optional<Answer>> Journal::known() const {
-  std::vector<std::optional<Answer>> answers(request_.points.size());
-  if (!file_) return answers;
-  std::map<std::string, std::size_t> points;
-  for (std::size_t i = 0; i < request_.points.size(); ++i) points[request_.points[i]] = i;
-  for (const std::string& line : file_->lines()) {
-    if (!is_sealed(line)) continue;
-    const ordered_json entry = ordered_json::parse(line, nullptr, false);
-    if (!is_text(entry, "point") || !is_text(entry, "request") || !entry.contains("row")) continue;
-    if (entry["request"] != request_.fingerprint) continue;
-    const auto point = points.find(entry["point"]);
-    if (point != points.end()) answers[point->second] = Answer{false, line_of(entry["row"]), ""};
+}  // namespace
+
+Journal::Journal(const Request& request, const std::string& run)
+    : request_(request), run_(run), known_(request.points.size()), is_begun_(known_.size()) {
+  if (request.journal_file.empty()) return;
+  file_ = std::make_unique<io::JournalFile>(request.journal_file, kFirstLine, writers_of(run));
+  for (std::size_t i = 0; i < request.points.size(); ++i) points_[request.points[i]] = i;
+  read_on();
+}
+
+void Journal::read_on() {
+  for (; read_ < file_->lines().size(); ++read_) read(file_->lines()[read_]);
+}
+
+void Journal::read(const std::string& line) {
+  if (!is_sealed(line)) return;
+  const ordered_json entry = ordered_json::parse(line, nullptr, false);
+  if (!is_text(entry, "point") || !is_text(entry, "request")) return;
+  const auto point = points_.find(entry["point"]);
+  if (entry["request"] != request_.fingerprint || point == points_.end()) return;
+  const bool is_of_this_run = !run_.empty() && is_text(entry, "run") && entry["run"] == run_;
+  if (entry.contains("row")) {
+    known_[point->second] = Answer{false, line_of(entry["row"]), ""};
+  } else if (is_of_this_run && is_text(entry, "lost")) {
+    known_[point->second] = Answer{true, "", entry["lost"]};
+  } else if (is_of_this_run && entry.contains("begun")) {
+    is_begun_[point->second] = true;
   }
-  return answers;
+}
+
+void Journal::write(std::size_t point, const char* key, const std::string& json) {
+  ordered_json entry{{"point", request_.points[point]}, {"request", request_.fingerprint}};
+  if (!run_.empty()) entry["run"] = run_;
+  entry[key] = ordered_json::parse(json);
+  file_->add(sealed(line_of(entry)));
 }
 
 void Journal::add(const PointAnswer& answer) {
+  known_[answer.point] = answer.answer;
   if (!file_) return;
-  ordered_json entry{{"point", request_.points[answer.point]}, {"request", request_.fingerprint}};
   if (answer.answer.is_lost) {
-    entry["lost"] = answer.answer.why;
+    write(answer.point, "lost", line_of(answer.answer.why));
   } else {
-    entry["row"] = ordered_json::parse(answer.answer.row);
+    write(answer.point, "row", answer.answer.row);
   }
-  file_->add(sealed(line_of(entry)));
+  if (!run_.empty()) file_->give_back(answer.point);
+}
+
+std::optional<std::size_t> Journal::claim() {
+  const auto look = [this] {
+    file_->read_on();
+    read_on();
+  };
+  look();
+  for (std::size_t point = 0; point < known_.size(); ++point) {
+    if (known_[point] || !file_->take(point)) continue;
+    look();  // whoever had it may have answered meanwhile
+    if (!known_[point] && !is_begun_[point]) {
+      write(point, "begun", "true");
+      return point;
+    }
+    if (!known_[point]) add({point, {true, "", "its rank of mpirun is gone"}});
+    file_->give_back(point);
+  }
+  return std::nullopt;
 }
 
 Answer as_kept(Answer answer) {
@@ -81,7 +119,7 @@ Answer as_kept(Answer answer) {
 }
 
 void check_journal(const std::string& file) {
-  if (!file.empty()) io::check_journal(file, kFirstLine);
+  if (!file.empty()) io::check_journal(file, kFirstLine, writers_of(ranks_by_environment().run));
 }
 
 }  // namespace torquewright::sweep

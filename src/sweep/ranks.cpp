@@ -18,7 +18,11 @@ std::size_t number_of(const char* variable, std::size_t otherwise) {
 }  // namespace
 
 Ranks ranks_by_environment() {
-  return {number_of("OMPI_COMM_WORLD_SIZE", 1), number_of("OMPI_COMM_WORLD_RANK", 0)};
+  Ranks ranks{number_of("OMPI_COMM_WORLD_SIZE", 1), number_of("OMPI_COMM_WORLD_RANK", 0), ""};
+  if (ranks.count < 2) return ranks;
+  const char* job = std::getenv("OMPI_MCA_ess_base_jobid");
+  ranks.run = fmt::format("mpirun {}", job == nullptr ? "" : job);
+  return ranks;
 }
 
 void require_possible(const Ranks& ranks) {

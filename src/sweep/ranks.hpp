@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <string>
-
-#include "src/sweep/ledger.hpp"
 
 namespace torquewright::sweep {
 
@@ -11,17 +10,12 @@ namespace torquewright::sweep {
 struct Ranks {
   std::size_t count = 1;
   std::size_t own = 0;
+  std::string run;  ///< By which the ranks of one mpirun know each other; empty of one.
 };
+/// As Open MPI states them in the environment of every program that it starts.
 Ranks ranks_by_environment();
 
-/// Throws io::SpecError for a rank that is none of so many: nobody would give it work.
+/// Throws io::SpecError for a rank that is none of so many: no other would wait for it.
 void require_possible(const Ranks& ranks);
-
-/// The first rank: hands the ledger's points to the others. A rank that is silent for long is gone,
-/// and its point lost. Throws io::SpecError where this program was built without MPI.
-void hand_out_to_ranks(const std::string& fingerprint, Ledger& ledger);
-
-/// Any other rank: has what it is given done by a worker, until there is no more.
-void work_for_first_rank(const std::string& fingerprint);
 
 }  // namespace torquewright::sweep

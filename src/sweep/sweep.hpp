@@ -9,13 +9,13 @@ namespace torquewright::sweep {
 
 /// Does the points that the journal does not hold yet, each in a worker: a process of this program
 /// that was started with the same arguments, has come to this same call, and answers there. Under
-/// `mpirun -n N`, N at least 2, the first rank hands out points and keeps the journal, the others
-/// have workers. A worker that ends loses its point, which the next run tries again.
-/// docs/sweeps.md.
+/// `mpirun -n N`, N at least 2, each rank has a worker, and takes points out of the journal that
+/// all of them write; the first has the outcome. A worker or a rank that ends loses its point,
+/// which the next run tries again. docs/sweeps.md.
 ///
-/// None where this process is a worker, or a rank with workers, whose work is done: the command
-/// then ends without a word. Throws io::SpecError where inputs changed on the way, or where workers
-/// refuse their input; std::runtime_error where workers end before they begin.
+/// None where this process is a worker, or a rank other than the first, whose work is done: the
+/// command then ends without a word. Throws io::SpecError where inputs changed on the way, or where
+/// workers refuse their input; std::runtime_error where workers end before they begin.
 std::optional<Outcome> run_sweep(const Request& request, const Evaluate& evaluate,
                                  const Watching& watching);
 

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <fstream>
 
 #include "io/faults/spec_error.hpp"
 #include "io/files/file_bytes.hpp"
@@ -90,6 +91,44 @@ TEST(JournalFile, HasOneWriter) {
     EXPECT_NE(refusal(file).find("another run"), std::string::npos);
   }
   EXPECT_EQ(refusal(file), "");
+}
+
+TEST(JournalFile, IsSharedBySeveralWritersAlone) {
+  using Writers = JournalFile::Writers;
+  const test::ScratchFolder folder;
+  const fs::path file = folder.path() / "journal";
+  JournalFile first(file, "journal", Writers::kSeveral);
+  JournalFile second(file, "journal", Writers::kSeveral);
+  EXPECT_NE(refusal(file).find("another run"), std::string::npos);
+  first.add("one");
+  second.add("two");
+  first.add("three");
+  EXPECT_EQ(read_file_bytes(file), "journal\none\ntwo\nthree\n");
+  first.read_on();
+  second.read_on();
+  EXPECT_EQ(first.lines(), std::vector<std::string>{"two"}) << "its own are no news";
+  EXPECT_EQ(second.lines(), (std::vector<std::string>{"one", "three"}));
+}
+
+// What a killed writer had taken is free, and what it had half written is gone.
+TEST(JournalFile, NumbersAreTakenByOneAndFreeWithItsEnd) {
+  using Writers = JournalFile::Writers;
+  const test::ScratchFolder folder;
+  const fs::path file = folder.path() / "journal";
+  JournalFile first(file, "journal", Writers::kSeveral);
+  {
+    JournalFile second(file, "journal", Writers::kSeveral);
+    EXPECT_TRUE(second.take(7));
+    EXPECT_FALSE(first.take(7));
+    EXPECT_TRUE(first.take(8));
+    second.give_back(7);
+    EXPECT_TRUE(first.take(7));
+    EXPECT_TRUE(second.take(9));
+  }
+  EXPECT_TRUE(first.take(9));
+  std::ofstream(file, std::ios::app) << "half";
+  first.add("whole");
+  EXPECT_EQ(read_file_bytes(file), "journal\nwhole\n");
 }
 
 // The writer is killed at some moment; whole lines are those of 0, 1, 2, ... without a gap.
