@@ -33,13 +33,14 @@ struct TrainParts {
   std::vector<std::string> layer_names() const;
 };
 
-/// Those of all topologies, in the order of the documentation.
+/// Returns the parts of all topologies, in the order of the documentation.
 std::span<const TrainParts> all_train_parts();
 
-/// Those of that name; nullptr if there is none.
+/// Returns the parts of the topology of that name; nullptr if there is none.
 const TrainParts* find_train_parts(std::string_view name);
 
-/// The same where a document's schema, or whoever made the train, has seen to it that there is one.
+/// Returns the parts of the topology of that name, where a document's schema, or whoever made the
+/// train, has seen to it that there is one.
 const TrainParts& train_parts(std::string_view name);
 
 }  // namespace torquewright::gearbox

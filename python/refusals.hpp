@@ -3,7 +3,7 @@
 
 namespace torquewright::python {
 
-/// From now on io::SpecError comes out as torquewright.Refusal, with its faults.
+/// Makes io::SpecError come out as torquewright.Refusal, with its faults, from now on.
 void translate_refusals();
 
 }  // namespace torquewright::python

@@ -13,7 +13,7 @@ namespace torquewright::actuator {
 /// judged too.
 struct HeatEnd {
   double winding_K = 0.0;
-  /// It is within kSteady_K of the conditions asked for, whose result then holds.
+  /// Whether the winding is within kSteady_K of the conditions asked for, whose result then holds.
   bool is_as_asked = false;
   /// The conditions asked for, with the winding at that temperature.
   OperatingConditions conditions;

@@ -110,7 +110,7 @@ struct DriveReport {
   double armature_kg_m2 = 0.0;  ///< Inertia of rotor and gears, at the joint.
   bool has_torque = true;
   bool is_speed_differentiated = false;
-  /// Without torque in the file: a speed that no torque can hold.
+  /// The speed that no torque can hold, of a motion whose file states no torque; empty: none.
   std::optional<double> limiting_speed_rad_s;
   std::optional<double> limiting_time_s;
   std::size_t impossible_speeds = 0;  ///< Number of samples at speeds where the region is empty.

@@ -79,9 +79,9 @@ struct DriveEntry {
   std::vector<std::string> joints;  ///< That have it, each alone.
   Shape shape;                      ///< Of the law, at the joint.
   double armature_kg_m2 = 0.0;      ///< Of the joint.
-  /// Of the joint; none: it is in the law.
+  /// The friction of the simulator's joint; none: the law has it.
   std::optional<JointFriction> friction = {};
-  /// Over the joint's range, for who takes them; empty: they are alike.
+  /// Postures over the joint's range, for simulators that take them; empty: they are alike.
   std::vector<PosturePoint> postures = {};
 };
 
@@ -89,7 +89,7 @@ struct DriveEntry {
 struct FrictionFields {
   DryFriction dry = DryFriction::kNone;
   std::string_view law;  ///< What its fields mean, and where that is documented; sentences.
-  /// What stands in the place of Exporter::advice where the joint has the friction; empty: that.
+  /// Advice in the place of Exporter::advice where the joint has the friction; empty: that one.
   std::string_view advice;
 };
 

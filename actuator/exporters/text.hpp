@@ -16,7 +16,7 @@ std::string line_comment(const std::vector<std::string>& lines, std::string_view
 /// <!-- ... -->, in which no two hyphens may meet.
 std::string xml_comment(const std::vector<std::string>& lines);
 
-/// In quotes, as the value of an XML attribute.
+/// Returns the text in quotes, as the value of an XML attribute.
 std::string xml_quoted(std::string_view text);
 
 /// A name that C++, Python and USD accept: other characters become underscores.
@@ -33,7 +33,7 @@ PythonArgument python_argument(std::string_view name, double value);
 
 /// The armature, left out where the document states no inertia: nobody measured a 0.
 PythonArgument armature_argument(double armature_kg_m2);
-/// The same as an attribute, with a space before it.
+/// Returns the armature as an attribute of XML, with a space before it.
 std::string armature_attribute(double armature_kg_m2);
 
 /// A friction as an argument.
@@ -52,10 +52,11 @@ inline constexpr std::string_view kFrictionLoss =
 /// The constraint's time constant in s, and its damping ratio.
 inline constexpr std::string_view kFrictionConstraint = "0.0001 1";
 
-/// That as an attribute with a space before it, where there is a friction loss.
+/// Returns kFrictionConstraint as an attribute with a space before it; empty where there is no
+/// friction loss.
 std::string friction_constraint(double frictionloss_Nm);
 
-/// A literal of Python.
+/// Returns the text as a literal of Python.
 std::string python_string(std::string_view text);
 
 /// Regular expressions of Python that match these names and nothing else, as literals behind

@@ -47,7 +47,8 @@ struct Check {
   std::optional<RoundedInterval> (*stated)(const Actuator& document) = nullptr;
   std::optional<RoundedInterval> (*expected)(const Interpretation& interpretation) = nullptr;
   std::vector<Interpreter> interpreters;  ///< Interpretations that are tried on a contradiction.
-  /// It concerns one number, so that it does not count in what explains the whole sheet.
+  /// Whether the check concerns one number alone, so that it does not count in what explains the
+  /// whole sheet.
   bool stands_alone = false;
   bool below_is_load = false;  ///< A smaller number may be a loaded or capped one.
   /// Explanations that are no interpretation of the document.

@@ -125,7 +125,8 @@ struct Actuator {
   std::string name;
   Motor motor;
   Drive drive;
-  /// In the place of both: then the motor's current is its torque, and it has no winding.
+  /// A curve in the place of motor and drive: the motor's current is then its torque, and it has no
+  /// winding.
   std::optional<Envelope> envelope;
   std::optional<Battery> battery;
   std::optional<Thermal> thermal;

@@ -12,7 +12,7 @@ enum class CurrentConvention {
   kRmsPhase,   ///< Root mean square of the phase current.
 };
 
-/// Between which terminals a resistance was measured.
+/// The terminals between which a resistance was measured.
 enum class ResistanceConvention { kDc, kPhase, kLineToLine };
 
 /// How the drive makes phase voltages from the bus.

@@ -49,20 +49,22 @@ struct EnvelopeBounds {
   double greatest_Nm = 0.0;
 };
 
-/// At a jump the wider of both sides; empty beyond the points of either bound.
+/// Returns the bounds of a curve at a speed, at a jump the wider of both sides; empty beyond the
+/// points of either bound.
 std::optional<EnvelopeBounds> bounds_at(const EnvelopeCurve& curve, double speed_rad_s);
 
 /// The fastest speed, either way, that both bounds of a curve reach.
 double last_speed_rad_s(const EnvelopeCurve& curve);
 
-/// The same the other way round in torque and speed: a drive behind a gear that reverses it.
+/// Returns the curve the other way round in torque and speed: that of a drive behind a gear that
+/// reverses it.
 EnvelopeCurve reversed(const EnvelopeCurve& curve);
 
-/// The same with every speed that many times as fast; requires a positive factor.
+/// Returns the curve with every speed so many times as fast; requires a positive factor.
 EnvelopeCurve with_speeds_scaled(EnvelopeCurve curve, double factor);
 
-/// Where braking is not stated: the same with the greatest torque against the motion at every
-/// speed.
+/// Returns the envelope, where its braking is not stated with the greatest torque against the
+/// motion at every speed.
 Envelope with_full_braking(Envelope envelope);
 
 /// The greatest torque of a curve in size.

@@ -50,8 +50,8 @@ struct PhaseModel {
   bool field_weakening = false;
   Supply supply;
   double phase_volts_per_bus_volt = 0.0;
-  /// Of a drive that is known by its curve alone, at the rotor: all that limits it. Null: the above
-  /// does.
+  /// All that limits a drive which is known by its curve alone, at the rotor. Null: the members
+  /// above do.
   std::shared_ptr<const EnvelopeCurve> envelope;
 
   /// Torque of reluctance per product of currents, in Nm/A^2: 1.5 p (L_d - L_q).
@@ -66,7 +66,7 @@ double torque_Nm(const PhaseModel& model, const Current& current);
 /// where saturation admits no such torque.
 double q_current_A(const PhaseModel& model, double torque_Nm, double d_A);
 
-/// 1.5 R |i|^2.
+/// Heat of the windings' copper in W, 1.5 R |i|^2.
 double copper_loss_W(const PhaseModel& model, const Current& current);
 
 /// Power that the induced voltage takes up, per speed: 1.5 K_e i_q + 1.5 p (L_d - L_q) i_d i_q. It

@@ -20,7 +20,7 @@ struct ClipPoints {
 /// exist are held or joined.
 ClipPoints clip_points(const MorTable& table);
 
-/// Both bounds drawn in by that much, no further than to the middle between them: lines between the
+/// Draws both bounds in by so much, no further than to the middle between them: lines between the
 /// points then stay inside the region where they are off by no more.
 ClipPoints drawn_in(ClipPoints points, double by_Nm);
 
@@ -31,7 +31,7 @@ class ClipTable {
   explicit ClipTable(const ClipPoints& points);
   explicit ClipTable(const MorTable& table) : ClipTable(clip_points(table)) {}
 
-  /// Holds as long as this object lives where it is.
+  /// Returns a view that holds as long as this object lives where it is.
   TableView view() const;
 
  private:

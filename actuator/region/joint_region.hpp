@@ -41,11 +41,11 @@ class Region {
   /// The torques at that speed; `direction` (-1, 1) is the sign of the motion where the speed is 0.
   JointRange at(double speed_rad_s, double direction) const;
 
-  /// The same where what the motor can do there (motor_at) is known already.
+  /// Returns the range where what the motor can do there (motor_at) is known already.
   JointRange at(double speed_rad_s, double direction, const MotorRange& motor) const;
   MotorRange motor_at(double speed_rad_s) const;
 
-  /// The same at any speed; at rest the union of both directions.
+  /// Returns the range at any speed; at rest the union of both directions.
   JointRange at(double speed_rad_s) const;
 
   /// The region is empty beyond these speeds (or goes on past the last that is looked at, which is

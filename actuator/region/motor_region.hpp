@@ -31,7 +31,8 @@ struct MotorRange {
   std::optional<Plugging> plugging;
 };
 
-/// At the rotor, before any friction. docs/derivations/motor_region.md section 4.
+/// Returns the torques that the motor can make at a speed, at the rotor, before any friction.
+/// docs/derivations/motor_region.md section 4.
 MotorRange motor_range(const PhaseModel& model, double speed_rad_s);
 
 /// The range at the opposite speed: a motor is the same both ways round.

@@ -15,11 +15,11 @@ namespace torquewright::actuator {
 /// voltage turns with the current.
 bool has_smooth_choice(const PhaseModel& model);
 
-/// Where |i| is least for the torque.
+/// Returns the d current between two at which the torque takes the least current.
 double least_current_d_A(const PhaseModel& model, double torque_Nm, double low_A, double high_A);
 
-/// Where the voltage margin is greatest for the torque. Requires has_smooth_choice, and that |i|
-/// grows from high_A to low_A.
+/// Returns the d current between two at which the torque leaves the greatest voltage margin.
+/// Requires has_smooth_choice, and that |i| grows from high_A to low_A.
 double greatest_margin_d_A(const PhaseModel& model, double torque_Nm, double speed_rad_s,
                            double low_A, double high_A);
 

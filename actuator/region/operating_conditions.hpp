@@ -15,7 +15,7 @@ enum class Rating {
   kContinuous,  ///< What the stated continuous current and the heat allow for ever.
 };
 
-/// At which the region is asked for; what is left open is the document's own.
+/// The conditions at which a region is asked for; what is left open is the document's own.
 struct OperatingConditions {
   Rating rating = Rating::kPeak;
   std::optional<double> bus_voltage_V;    ///< Takes the place of the battery's open circuit.

@@ -15,12 +15,12 @@ namespace torquewright::gearbox {
 // docs/gearbox_constraints.md: the one list that designs are judged by and the one that the search
 // keeps. `own` is what no other topology is asked for; it stands between the gears' and the rings'.
 
-/// Of a design, all its teeth named.
+/// Judges a design, all of whose teeth are named, by these constraints.
 std::vector<ConstraintReport> buildable_constraints(const Problem& problem, const TrainParts& parts,
                                                     const Design& design,
                                                     std::vector<ConstraintReport> own);
 
-/// The same on expressions of the teeth, in the topology's order.
+/// States these constraints on expressions of the teeth, in the topology's order.
 std::vector<Condition> buildable_conditions(const Problem& problem, const TrainParts& parts,
                                             std::int64_t planet_count, const Rational& module_mm,
                                             std::span<const Expression> teeth,

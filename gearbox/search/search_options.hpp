@@ -17,7 +17,7 @@ struct DesignSearchOptions {
   std::function<bool()> should_stop = [] { return false; };
   /// Cost and bound are the objective as the user reads it.
   std::function<void(const optimization::Progress&)> report = [](const optimization::Progress&) {};
-  /// For tests: see optimization::SearchOptions.
+  /// Called for each box that is closed, for tests; see optimization::SearchOptions.
   std::function<void(std::size_t, const optimization::Box&, double)> on_close =
       [](std::size_t, const optimization::Box&, double) {};
 };

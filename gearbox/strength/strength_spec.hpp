@@ -27,7 +27,7 @@ struct ReadStrength {
 /// topology, a second layer without face width, a yield stress that is missing, gears that do not
 /// mesh.
 ReadStrength read_strength(const std::filesystem::path& file);
-/// The same of a document that is read already.
+/// Reads the strength document that was read from a file already.
 ReadStrength strength_of(io::Document document);
 
 }  // namespace torquewright::gearbox

@@ -13,7 +13,7 @@
 
 namespace torquewright::gearbox {
 
-/// On which shaft a torque is meant; without losses the joint's is the motor's times the ratio.
+/// The shaft on which a torque is meant; without losses the joint's is the motor's times the ratio.
 enum class TorqueSide {
   kMotor,  ///< At the sun.
   kJoint,  ///< At the output.

@@ -65,7 +65,8 @@ std::optional<double> largest_hob_tip_radius(const PlanetInRing& mesh);
 ToothForm external_gear_in_ring(std::int64_t teeth, double profile_shift, const ToothForm& ring,
                                 double center_distance, double hob_addendum = kStandardAddendum);
 
-/// With fewer teeth the flanks of a standard ring's space cross before its root.
+/// Fewest teeth of a gear that is drawn: with fewer the flanks of a standard ring's space cross
+/// before its root.
 inline constexpr std::int64_t kMinDrawnTeeth = 7;
 
 double base_radius(const ToothForm& form);

@@ -14,7 +14,7 @@ namespace torquewright::gearbox {
 
 // Parts of a report that all topologies share; profile shift is shifted_train.hpp's matter.
 
-/// Diameters of a gear.
+/// Describes a gear: its diameters in mm, and its speed per input speed.
 GearReport describe_gear(const std::string& name, std::int64_t teeth, const std::string& layer,
                          bool internal, const Rational& module_mm, const StatedCutters& cutters,
                          double speed_per_input);

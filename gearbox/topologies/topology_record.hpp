@@ -50,7 +50,7 @@ struct Topology : TrainParts {
   std::vector<double> (*forces_N)(Numbers teeth, std::int64_t planet_count,
                                   double centre_m) = nullptr;
 
-  /// Of the whole train from those of its meshes.
+  /// Returns the efficiency of the whole train from those of its meshes.
   TrainEfficiency (*efficiency)(Numbers teeth, Numbers mesh_efficiencies) = nullptr;
 
   /// How it stands when it is assembled.

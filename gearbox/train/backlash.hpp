@@ -16,6 +16,7 @@ struct ThreeKBacklash {
   double total() const { return sun_planet_1 + planet_1_fixed_ring + planet_2_output_ring; }
 };
 
+/// Computes the backlash of a three-ring train from its ratios and radii [m].
 /// docs/derivations/kinematics.md eq. (16).
 ThreeKBacklash three_k_backlash(double ratio_1, double ratio_2, const ThreeKRadii& radii);
 

@@ -32,7 +32,7 @@ PlanetaryTeeth<T> coaxial_planetary(const T& sun, const T& planet) {
   return {sun, planet, sun + 2.0 * planet};
 }
 
-/// I1 = F/S, dimensionless.
+/// Basic ratio of the first stage, I1 = F/S, dimensionless.
 template <class T>
 T basic_ratio_1(const ThreeKTeeth<T>& teeth) {
   return teeth.fixed_ring / teeth.sun;

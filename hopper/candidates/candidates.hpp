@@ -34,7 +34,7 @@ struct CandidateResult {
   double peak_torque_Nm = 0.0;    ///< Greatest torque at the joint, its rotor's part included.
   double rotor_inertia_kg_m2 = 0.0;
   CandidateTorques torques = CandidateTorques::kDynamics;
-  /// It is on the front of margin, mass, energy and heat, among those that pass.
+  /// Whether it is on the front of margin, mass, energy and heat, among those that pass.
   bool is_on_front = false;
   std::string why;  ///< Where it does not pass: the first violation, on one line.
 };

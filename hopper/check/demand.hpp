@@ -40,7 +40,7 @@ struct Jolt {
 /// What a motion asks of the ground and of every actuator. One column for each sample; rows by
 /// drive as in WholeBody, by joint as the tree's bodies after the base, by free row as in FreeRows.
 struct Demand {
-  /// By drive, then by sample; torque from the dynamics.
+  /// What each drive does, by drive, then by sample; its torque is from the dynamics.
   std::vector<std::vector<DriveInstant>> drives;
   /// (drives x samples): torque of the contact forces at the drive's output.
   Eigen::MatrixXd contact_Nm;

@@ -12,7 +12,8 @@ namespace torquewright::hopper {
 /// A coordinate whose given rate is not the derivative of the quantity it belongs to.
 struct RateMismatch {
   std::string coordinate;
-  /// It is an acceleration against its velocity; else a velocity against its position.
+  /// Whether it is an acceleration that is held against its velocity; else a velocity against its
+  /// position.
   bool is_acceleration = false;
   double from_s = 0.0;  ///< Time of the first stretch that disagrees.
   double until_s = 0.0;

@@ -34,7 +34,7 @@ struct FittedAcceleration {
 FittedAcceleration fitted_acceleration(const dynamics::Tree& tree, const Motion& motion,
                                        Eigen::Index sample, Eigen::Index reach);
 
-/// By what derived accelerations amplify errors of what is differentiated.
+/// Factors by which derived accelerations amplify errors of what is differentiated.
 struct Amplification {
   Eigen::VectorXd noise;  ///< (samples x 1): of independent ones, by their standard deviation.
   Eigen::VectorXd most;   ///< Of any, by their greatest size.

@@ -38,7 +38,7 @@ class WorkingDrive {
   void hold(double bus_V);
   /// The motor makes that share of the torque that hold() left it, at the same speed.
   void make_only(double share, double bus_V);
-  /// No current; what is left at the output is the drag that its document knows.
+  /// Switches the current off; what is left at the output is the drag that its document knows.
   void switch_off();
   /// Heats the winding with the current that flows.
   void end(double step_s);

@@ -25,9 +25,9 @@ struct Observation {
 class Controller {
  public:
   virtual ~Controller() = default;
-  /// Its name in options.
+  /// Returns its name in options.
   virtual std::string_view name() const = 0;
-  /// Forgets what was.
+  /// Begins anew: forgets whatever it remembers of earlier runs.
   virtual void start() = 0;
   /// Torques wanted at the drives' outputs (drives x 1), in Nm, whatever their regions allow. All
   /// finite where the observation is.

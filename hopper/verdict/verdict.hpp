@@ -24,7 +24,7 @@ std::string_view name_of(ReplayVerdict verdict);
 /// Returns the verdict of that name; kUnfinished for a name of none.
 ReplayVerdict verdict_named(std::string_view name);
 
-/// By what a run is judged.
+/// Rules by which a run is judged.
 struct VerdictRule {
   StandingRule standing;
   DeedTolerances deeds;
@@ -46,7 +46,7 @@ struct ReplayOutcome {
   double foot_at_rest_s = 0.0;  ///< Until the end.
   /// The touch-down of the motion's longest flight; none where motion or run have none.
   std::optional<TouchDown> touch_down;
-  /// Of each of the motion's flights that was flown, in order.
+  /// The touch-down of each of the motion's flights that was flown, in order.
   std::vector<TouchDown> landings;
   /// What the motion does and the run did; empty of a run that did not last to the end.
   std::vector<Deed> deeds;

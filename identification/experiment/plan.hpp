@@ -41,7 +41,8 @@ struct PlannedParameter {
   /// along the chirp.
   double typical = 0.0;
   Expected plan, chirp;
-  /// Under the plan: share above kSeparableShare and typical value above 3 sigma.
+  /// Whether the plan tells it apart: its share is above kSeparableShare and its typical value
+  /// above 3 sigma.
   bool is_separable = false;
   std::string remedy;  ///< A sentence: what would separate it from its nearest.
 };

@@ -15,7 +15,7 @@ struct Separability {
   /// 1 less the squared multiple correlation with all the others: 1 stands alone, 0 is the same as
   /// a combination of them.
   std::vector<double> share;
-  /// For each parameter the one with the largest partial correlation.
+  /// The parameter with the largest partial correlation, for each parameter.
   std::vector<std::size_t> nearest;
   /// Smallest eigenvalue of the information scaled to a unit diagonal.
   double smallest_eigenvalue = 0.0;

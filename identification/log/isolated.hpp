@@ -24,7 +24,7 @@ struct IsolatedSamples {
     std::size_t length;  ///< Number of samples, 1 or 2.
   };
   std::vector<Place> places;
-  /// There are too many to be isolated: they are part of the signal, or noise.
+  /// Whether there are too many to be isolated: they are part of the signal, or noise.
   bool is_crowd = false;
 };
 IsolatedSamples find_isolated(const std::vector<double>& values, const Circle& circle);

@@ -9,7 +9,8 @@ namespace torquewright::identification {
 /// Keeps the upper end of values that come one by one: exact quantiles near one in little memory.
 class LargestValues {
  public:
-  /// For at most `most_values` values in all and quantiles of `least_share` (0...1) and above.
+  /// Makes room for at most `most_values` values in all, and for quantiles of `least_share` (0...1)
+  /// and above.
   LargestValues(std::size_t most_values, double least_share);
 
   void add(double value);

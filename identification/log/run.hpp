@@ -32,7 +32,7 @@ struct Run {
   std::vector<Channels> joints;  ///< Channels in the order of Rig::joints.
   /// 1: repaired or saturated; the sample's residual does not count.
   std::vector<std::uint8_t> masked;
-  /// It follows the run before it without a gap: both are pieces of one stretch.
+  /// Whether it follows the run before it without a gap: both are pieces of one stretch.
   bool continues = false;
 };
 

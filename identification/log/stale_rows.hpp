@@ -36,12 +36,12 @@ struct Travel {
 /// all the time.
 bool are_stale(const Travel& travel, std::size_t repeats, double next_s, double next_position);
 
-/// Of a recorder that asks faster than there is something new (rows repeat throughout, not in a
-/// stretch of rest alone): leaves out rows that repeat the row
-/// before in all channels where new ones come at an even pace T, but for one each T, which is rest.
-/// What is new is then taken for T apart, where times differ from that by no more than the
-/// recorder's own step and T is more than two of these: it saw each up to a step late. Returns how
-/// many rows it left out; 0: no such run.
+/// Leaves out rows of a recorder that asks faster than there is something new (rows repeat
+/// throughout, not in a stretch of rest alone): those that repeat the row before in all channels
+/// where new ones come at an even pace T, but for one each T, which is rest. What is new is then
+/// taken for T apart, where times differ from that by no more than the recorder's own step and T is
+/// more than two of these: it saw each up to a step late. Returns how many rows it left out; 0: no
+/// such run.
 std::size_t drop_polled(Run& run);
 
 }  // namespace torquewright::identification

@@ -68,7 +68,7 @@ struct Rig {
   std::vector<std::string> joints;
   /// The links did not name the joints; their order is that of the columns.
   bool joints_by_columns = false;
-  /// By joint, where its controller's law is stated; empty: no law is.
+  /// The law of each joint's controller, where it is stated; empty: no law is.
   std::vector<std::optional<actuator::PositionLaw>> controllers;
   std::vector<std::string> holdout_runs;  ///< Names of runs to hold out; empty: none stated.
   /// Pointers to values that a fit may correct: /load/..., /loads/RUN/..., /motor/..., /gearbox/...

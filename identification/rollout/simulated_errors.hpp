@@ -19,7 +19,7 @@ struct SimulatedErrors {
 /// errors that add up show. The figures that lead the report are those of the middle one.
 inline const std::vector<double> kWindows_s = {0.25, 1.0, 5.0};
 inline constexpr std::size_t kLeadingWindow = 1;
-/// So many windows of each length at most, evenly over the log.
+/// Most windows of each length that are simulated, evenly over the log.
 inline constexpr std::size_t kMostWindows = 60;
 
 }  // namespace torquewright::identification

@@ -25,8 +25,8 @@ struct FileContent {
 /// temporary name before the first takes its own.
 void write_whole_files(const std::vector<FileContent>& files);
 
-/// For before the work that makes the content: throws SpecError with a fault for each of `outputs`
-/// that cannot be written, is one of `inputs`, or stands twice. Changes no file.
+/// Checks files before the work that makes their content: throws SpecError with a fault for each of
+/// `outputs` that cannot be written, is one of `inputs`, or stands twice. Changes no file.
 void check_outputs(const std::vector<std::filesystem::path>& outputs,
                    const std::vector<std::filesystem::path>& inputs);
 

@@ -5,7 +5,8 @@
 
 namespace torquewright::io {
 
-/// No document comes near this; a larger file is some other file.
+/// Most bytes of a file that is read: no document comes near this, and a larger file is some other
+/// file.
 constexpr std::size_t kMaxFileBytes = std::size_t{64} << 20;
 
 }  // namespace torquewright::io

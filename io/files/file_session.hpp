@@ -41,12 +41,13 @@ class InputFile {
 /// such limit.
 inline constexpr int kWriterPatience_s = 5;
 
-/// For a document whose text cannot be read again, from a pipe: the files that it names are inputs.
+/// Remembers the files that a document names as inputs, for one whose text cannot be read again,
+/// from a pipe.
 void remember_names(const std::filesystem::path& document, std::string_view text);
 
 /// Whether the file at that path was read in this session, or what was read leads to it.
 bool is_input(const std::filesystem::path& file);
-/// The same of what is open as that descriptor.
+/// Whether what is open as that descriptor is an input.
 bool is_input(int descriptor);
 
 }  // namespace torquewright::io

@@ -28,16 +28,17 @@ class JournalFile {
   JournalFile(const JournalFile&) = delete;
   JournalFile& operator=(const JournalFile&) = delete;
 
-  /// Those that stood there when it was opened, after the first one.
+  /// Returns the lines that stood there when it was opened, after the first one, and those that
+  /// read_on() found.
   const std::vector<std::string>& lines() const { return lines_; }
   /// Reads what other writers have added since, to the end of lines().
   void read_on();
 
-  /// Is kept when this returns (fsync). Requires a line without a line break. Throws SpecError
-  /// where it cannot be written.
+  /// Adds a line, which is kept when this returns (fsync). Requires a line without a line break.
+  /// Throws SpecError where it cannot be written.
   void add(std::string_view line);
 
-  /// Takes that number for this writer alone; false where another has it. Of kSeveral.
+  /// Takes a number for this writer alone; false where another has it. Requires Writers::kSeveral.
   bool take(std::size_t number);
   void give_back(std::size_t number);
 

@@ -10,7 +10,7 @@ namespace torquewright::io {
 /// SHA-256 (FIPS 180-4) of the bytes, as 64 lower-case hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
-/// The same of bytes that come piece by piece.
+/// The SHA-256 of bytes that come piece by piece.
 class Sha256 {
  public:
   Sha256();

@@ -6,7 +6,7 @@
 
 namespace torquewright::io {
 
-/// ASCII letters only.
+/// Returns the word in small letters; letters beyond ASCII stay as they are.
 std::string in_small_letters(std::string word);
 
 /// Writes words of which a schema lists the allowed ones as they are listed, where they differ in

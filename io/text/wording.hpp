@@ -19,10 +19,10 @@ std::string expected_type(const nlohmann::json& schema);
 /// True if the value is of (one of) the schema node's "type"; a node without one takes any.
 bool has_expected_type(const nlohmann::json& value, const nlohmann::json& schema);
 
-/// a, b, c
+/// Joins words as a list: "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 
-/// a, b or c
+/// Joins words as a choice: "a, b or c".
 std::string either(const std::vector<std::string>& words);
 
 }  // namespace torquewright::io

@@ -12,7 +12,7 @@ namespace torquewright::optimization {
 double nearest_quantile(std::vector<double> values, double share);
 /// The last value that does not stand beyond that share.
 double lower_quantile(std::vector<double> values, double share);
-/// Of an even number of values the greater of the two in the middle.
+/// The median; of an even number of values the greater of the two in the middle.
 double median(std::vector<double> values);
 
 }  // namespace torquewright::optimization

@@ -7,7 +7,7 @@
 
 namespace torquewright::optimization {
 
-/// End of a search.
+/// How and where a search of Ipopt's ended.
 struct SearchEnd {
   NonlinearStatus status = NonlinearStatus::kStalled;
   std::vector<double> scaled;       ///< Its last point over the scales; empty if there is none.

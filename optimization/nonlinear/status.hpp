@@ -9,7 +9,8 @@ namespace torquewright::optimization {
 enum class NonlinearStatus {
   kSolved,      ///< First-order conditions hold to the tolerance.
   kAcceptable,  ///< They hold to a hundred times the tolerance and would not get better.
-  /// No step makes the violation less. This proves nothing about other places.
+  /// The search ended where no step makes the violation less. This proves nothing about other
+  /// places.
   kLocallyInfeasible,
   kIterationLimit,
   kTimeLimit,

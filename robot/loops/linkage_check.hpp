@@ -35,8 +35,8 @@ class LinkageCheck {
   LinkageCheck(const std::vector<DraftBody>& all, const std::vector<DraftBody>& left,
                const std::vector<Linkage>& linkages, const std::vector<std::size_t>& index);
 
-  /// Over the ranges of one linkage's joints, within half a turn of the file's posture, or 1 rad to
-  /// both sides of it; all other joints stand as the file puts them.
+  /// Compares over the ranges of one linkage's joints, within half a turn of the file's posture, or
+  /// 1 rad to both sides of it; all other joints stand as the file puts them.
   LinkageDifference run(std::size_t linkage);
 
  private:

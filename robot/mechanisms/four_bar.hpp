@@ -41,7 +41,7 @@ class FourBar : public Mechanism {
       const SmallVectorOf<dynamics::Jet2>& joint_rad,
       const SmallVectorOf<dynamics::Jet2>& joint_rad_s) const override;
   std::vector<MechanismMargin> margins(const SmallVector& joint_rad) const override;
-  /// That of a parallelogram is 1 or -1.
+  /// Returns the Jacobian of a parallelogram, 1 or -1; none of other linkages.
   std::optional<SmallMatrix> constant_jacobian() const override;
   const FourBarGeometry& geometry() const { return geometry_; }
 

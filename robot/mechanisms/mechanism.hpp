@@ -46,7 +46,7 @@ class Mechanism {
  public:
   virtual ~Mechanism() = default;
 
-  /// Its name in documents.
+  /// Returns its name in documents.
   virtual std::string_view type() const = 0;
   /// Joints, and as many actuators.
   virtual Eigen::Index size() const = 0;
@@ -61,9 +61,9 @@ class Mechanism {
   virtual std::optional<TransferOf<dynamics::Jet2>> transfer_with_curvatures(
       const SmallVectorOf<dynamics::Jet2>& joint_rad,
       const SmallVectorOf<dynamics::Jet2>& joint_rad_s) const = 0;
-  /// At a posture; empty: nothing limits it but the joints.
+  /// Returns the margins at a posture; empty: nothing limits it but the joints.
   virtual std::vector<MechanismMargin> margins(const SmallVector& joint_rad) const;
-  /// Where it is the same in every posture.
+  /// Returns the Jacobian where it is the same in every posture; else none.
   virtual std::optional<SmallMatrix> constant_jacobian() const { return std::nullopt; }
 };
 

@@ -27,7 +27,7 @@ struct ParallelAnkleGeometry {
   std::array<AnkleRod, 2> rods;
   dynamics::Joint first;   ///< Carries the cross on the calf: pitch.
   dynamics::Joint second;  ///< Carries the foot on the cross: roll.
-  /// For margins only.
+  /// Limits that count in margins only; nothing else depends on them.
   double rod_tilt_limit_rad = 0;      ///< Of the rod against the right angle to a pin.
   double transmission_limit_rad = 0;  ///< Between rod and crank, from being in line.
   double lever_limit_m = 0;           ///< Of the rods about the ankle, least of all directions.

@@ -34,7 +34,7 @@ MjcfCompiler read_compiler(const Element& mujoco, Faults& faults);
 /// Orientation by quat, axisangle, euler, xyaxes or zaxis; none of them: the identity.
 Eigen::Matrix3d rotation_of(const Element& element, const MjcfCompiler& compiler, Faults& faults);
 
-/// Which stands for the rotation that takes z to this direction in the plane of both.
+/// Returns the rotation that takes z to this direction in the plane of both.
 Eigen::Matrix3d rotation_of_z(const Eigen::Vector3d& direction);
 
 }  // namespace torquewright::hopper

@@ -15,7 +15,7 @@ struct MjcfShape {
   std::size_t sizes = 1;
 };
 
-/// Of a geom's type; nothing where it is none whose volume has a formula.
+/// Returns the shape of a geom's type; nothing where it is none whose volume has a formula.
 std::optional<MjcfShape> shape_of(const std::string& type);
 
 /// A geom's sizes, and where it stands, in `pose`, which comes as what it is placed by. A fault

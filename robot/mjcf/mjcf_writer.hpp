@@ -12,12 +12,13 @@ struct MjcfParts {
   bool ground = false;        ///< A plane, and keyframes of the postures that stand on it.
   bool closed_loops = false;  ///< Cranks and rods of linkages as bodies, in place of frozen rotors.
   bool collisions = false;    ///< Small balls at the contact points, and the collision spheres.
-  /// Of drives, with `actuators`; of a gear that locks itself it is in the limits all the same.
+  /// Where the friction of drives stands, with `actuators`; that of a gear that locks itself is in
+  /// the limits all the same.
   actuator::FrictionPlace friction = actuator::FrictionPlace::kJoint;
 };
 
-/// For MuJoCo 2.2.2 and later: bodies with their inertia, joints with reflected inertia as
-/// armature, motors with the torque limits, contact points as sites.
+/// Writes the robot for MuJoCo 2.2.2 and later: bodies with their inertia, joints with reflected
+/// inertia as armature, motors with the torque limits, contact points as sites.
 Exported mjcf_of(const Robot& robot, const MjcfParts& parts = {});
 
 }  // namespace torquewright::hopper

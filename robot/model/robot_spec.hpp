@@ -22,7 +22,7 @@ struct ReadRobot {
 /// joints (a closed loop), inertias no body has, limits upside down or of the wrong kind of joint,
 /// mechanisms that do not fit, and the faults of the actuators' own documents.
 ReadRobot read_robot(const std::filesystem::path& file);
-/// The same of a document that is read already; files it names are beside document.file.
+/// Reads a robot from a document that is read already; files it names are beside document.file.
 ReadRobot robot_of(io::Document document);
 
 }  // namespace torquewright::hopper

@@ -5,7 +5,7 @@
 
 namespace torquewright::hopper {
 
-/// On which side of a gearbox a torque is meant.
+/// The side of a gearbox on which a torque is meant.
 enum class GearSide { kMotor, kJoint };
 
 /// The greatest load that a transmission may pass on, without its own rotor's torque.

@@ -52,7 +52,7 @@ class WholeBodyOf {
   /// drivetrain may be asked for.
   [[nodiscard]] bool set(const dynamics::VectorInOf<T>& position,
                          const dynamics::VectorInOf<T>& velocity);
-  /// Index of a drivetrain.
+  /// Returns the index of the drivetrain whose mechanism did not reach the posture last set.
   std::size_t unreached() const { return unreached_; }
 
   /// Its reflected inertias are those of no rotor of a drivetrain.
@@ -106,7 +106,8 @@ class WholeBodyOf {
   /// velocity products their angular velocities for a velocity.
   std::vector<Eigen::Vector3d> turning(const dynamics::VectorIn& acceleration,
                                        bool has_products) const requires std::same_as<T, double>;
-  /// Of rotors' own spins that turn so with their carriers, by velocity.
+  /// Returns what rotors' own spins take where their carriers turn so, by velocity: torques for
+  /// accelerations, momenta for velocities.
   Eigen::VectorXd carried(
       const std::vector<Eigen::Vector3d>& turning) const requires std::same_as<T, double>;
   /// Adds torques of a drivetrain's joints to forces per velocity.

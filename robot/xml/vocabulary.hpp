@@ -37,10 +37,10 @@ struct Words {
   std::string_view advice = {};  ///< For what is refused.
 };
 
-/// In one line. Long lists say how many more there are.
+/// Lists places in one line; long lists say how many more there are.
 std::string listed(std::vector<std::string> places);
 
-/// Holds elements against a list of words, and keeps what was left behind.
+/// Compares elements with a list of words, and keeps what was left behind.
 class Vocabulary {
  public:
   /// `left`: names of elements and attributes that are left behind even where they are refused.

@@ -14,7 +14,7 @@ struct GroundProfile {
   std::vector<double> heights_m;  ///< One more than edges, from the left; none where it is flat.
 
   bool is_flat() const { return edges_x_m.empty(); }
-  /// At an edge the height of its right side.
+  /// Returns the height of the ground at x, at an edge that of its right side.
   double height_m(double x_m) const {
     if (is_flat()) return 0.0;
     const auto right = std::upper_bound(edges_x_m.begin(), edges_x_m.end(), x_m);

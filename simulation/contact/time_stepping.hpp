@@ -18,7 +18,8 @@ struct Obstacles {
   std::vector<JointStop> stops = {};
   std::vector<JointFriction> frictions = {};
   double ground_height_m = 0.0;
-  /// Over that height. Its faces at the edges stop nothing: only what comes from above is met.
+  /// The profile of the ground over that height. Its faces at the edges stop nothing: only what
+  /// comes from above is met.
   GroundProfile profile = {};
 };
 
@@ -37,7 +38,7 @@ class TimeStepping {
     kBlownUp,
   };
 
-  /// `bodies` must outlive it.
+  /// Makes a stepper of `bodies`, which must outlive it.
   TimeStepping(MovingBodies& bodies, Obstacles obstacles);
 
   /// Moves position and velocity by one step while `force` (n x 1) acts. Unless the outcome is

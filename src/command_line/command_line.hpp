@@ -32,10 +32,11 @@ class Option {
   Option separated_by_commas();
   /// A list of exactly so many values.
   Option takes(int values);
-  /// What holds where it is not named, in words, where no value stands for it: "the document's".
+  /// States what holds where it is not named, in words, where no value stands for it: "the
+  /// document's".
   Option otherwise(const std::string& what);
 
-  /// Both ends included.
+  /// Requires a number between the two, both ends included.
   Option between(double least, double greatest);
   Option integer_between(std::int64_t least, std::int64_t greatest);
   Option positive();
@@ -56,11 +57,11 @@ class Option {
   /// Its key under "options" of a result, which states it where it is not the usual. `place`:
   /// results state the least first, and options of one place in the order of declaration.
   Option stated_as(const std::string& key, int place = 0);
-  /// The same, as false: of a flag that denies what the key says.
+  /// Its key under "options", which is stated as false: of a flag that denies what the key says.
   Option stated_as_not(const std::string& key, int place = 0);
-  /// The same, whatever it is.
+  /// Its key under "options", which is stated whatever the option is.
   Option always_stated_as(const std::string& key, int place = 0);
-  /// The same, of an option that the result has in a place of its own: fingerprints count it.
+  /// Its key where fingerprints count it, of an option that the result has in a place of its own.
   Option stated_elsewhere_as(const std::string& key, int place = 0);
   /// Asks for what shows one answer: a sweep, which has several, refuses it by name.
   Option of_one_answer();
@@ -109,7 +110,7 @@ class Command {
   void require_command();
   /// The last lines of the help.
   void example(const std::string& line);
-  /// What it does. Where one of its commands is named, that one works in its place.
+  /// Sets what the command does. Where one of its commands is named, that one works in its place.
   void works(Work work);
 
   /// All that was declared so far; it stays where it is.

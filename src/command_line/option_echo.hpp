@@ -14,10 +14,10 @@ struct EchoedOption {
   OptionValue value;
 };
 
-/// What a result says of the options of a command whose arguments were read, in its order.
+/// Returns what a result says of the options of a command whose arguments were read, in its order.
 std::vector<EchoedOption> echoed_options(const DeclaredCommand& command);
 
-/// The same and what the result says elsewhere: all that an answer depends on beside its files.
+/// Returns that and what the result says elsewhere: all that an answer depends on beside its files.
 std::vector<EchoedOption> counted_options(const DeclaredCommand& command);
 
 /// The names of options that ask for what shows one answer, where they were named.

@@ -29,7 +29,8 @@ struct CalibrationRequest {
   bool json = false;
 };
 
-/// The same with the robot's file where it belongs: -o alone names it, as it did before --refined.
+/// Returns the request with the robot's file where it belongs: -o alone names it, as it did before
+/// --refined.
 CalibrationRequest with_refined(CalibrationRequest request);
 
 /// Adds everything that `hopper calibrate` takes.

@@ -45,7 +45,7 @@ struct HopperCheckRequest {
 /// the option that must be there too.
 void add_column_options(command_line::Command& command, HopperCheckRequest& request,
                         const std::string& of = "");
-/// The same, and which of its torques and late rows count.
+/// Adds the options of columns and rows, and which of its torques and late rows count.
 void add_motion_options(command_line::Command& command, HopperCheckRequest& request);
 /// Adds what says where the ground is and which points touch it.
 void add_contact_options(command_line::Command& command, hopper::ContactRule& contact);

@@ -24,7 +24,8 @@ struct HopperFlipRequest {
   std::optional<double> speed_m_s;      ///< Empty: free.
   std::vector<std::string> objectives;  ///< NAME[=WEIGHT]; empty: the task's.
   hopper::PlanOptions plan;             ///< What has an option of its own.
-  /// By part (hopper::margin_parts()); empty: the usual one, or what the reserve makes of it.
+  /// The margin of each part (hopper::margin_parts()); empty: the usual one, or what the reserve
+  /// makes of it.
   std::vector<std::optional<double>> margins =
       std::vector<std::optional<double>>(hopper::margin_parts().size());
   std::uint64_t guess_seed = 0;

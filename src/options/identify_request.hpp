@@ -27,8 +27,8 @@ struct IdentifyRequest {
   bool select = true;
 };
 
-/// The same with refined actuators' files where they belong: -o alone names them, as it did before
-/// --refined. Throws io::SpecError where the report has several files.
+/// Returns the request with refined actuators' files where they belong: -o alone names them, as it
+/// did before --refined. Throws io::SpecError where the report has several files.
 IdentifyRequest with_refined(IdentifyRequest request);
 
 /// Where the report goes as JSON; empty: not asked for.

@@ -16,7 +16,7 @@ struct OutputFiles {
   std::string drawing;
 };
 
-/// Those of the names that are not empty.
+/// Returns those of the names that are not empty.
 std::vector<std::filesystem::path> named(std::initializer_list<std::string> files);
 
 /// A file whose ending asks for JSON.

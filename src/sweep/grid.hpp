@@ -19,7 +19,7 @@ struct Grid {
   std::vector<Axis> axes;  ///< One or two.
 
   std::size_t points() const;
-  /// One value an axis.
+  /// Returns the values of a point, one an axis.
   std::vector<double> values_at(std::size_t point) const;
   /// "knee_ratio=8" or "knee_ratio=8 voltage=48.5": the same for no other point.
   std::string name_of(std::size_t point) const;

@@ -25,12 +25,12 @@ class Journal {
   /// The answer that the journal holds for each point. Points that were lost have none, but for
   /// those of this run of several.
   const std::vector<std::optional<Answer>>& known() const { return known_; }
-  /// Is kept when this returns.
+  /// Adds an answer, which is kept when this returns.
   void add(const PointAnswer& answer);
 
-  /// Of a run of several: a point without an answer for this process alone, which begins with it;
-  /// none where there is none, or another does each. A point that was begun by a process that is
-  /// gone is lost: that is known, and kept, when this returns.
+  /// Claims a point without an answer for this process alone, and says that it has begun; none
+  /// where there is none, or another process does each. Of a run of several. A point that was begun
+  /// by a process that is gone is lost: that is known, and kept, when this returns.
   std::optional<std::size_t> claim();
 
  private:
@@ -51,8 +51,8 @@ class Journal {
 /// that did not; what is no JSON is lost.
 Answer as_kept(Answer answer);
 
-/// For before the work: throws io::SpecError where no journal could be kept in that file, or where
-/// it is not one that ranks of mpirun may share.
+/// Checks before the work: throws io::SpecError where no journal could be kept in that file, or
+/// where it is not one that ranks of mpirun may share.
 void check_journal(const std::string& file);
 
 }  // namespace torquewright::sweep

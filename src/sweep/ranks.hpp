@@ -12,7 +12,7 @@ struct Ranks {
   std::size_t own = 0;
   std::string run;  ///< By which the ranks of one mpirun know each other; empty of one.
 };
-/// As Open MPI states them in the environment of every program that it starts.
+/// Reads them as Open MPI states them in the environment of every program that it starts.
 Ranks ranks_by_environment();
 
 /// Throws io::SpecError for a rank that is none of so many: no other would wait for it.

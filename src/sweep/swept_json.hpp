@@ -10,7 +10,7 @@ namespace torquewright::sweep {
 
 /// A row as workers send it and journals keep it, on one line.
 std::string row_text(const SweepRow& row);
-/// Requires what row_text() wrote.
+/// Reads a row again; requires what row_text() wrote.
 SweepRow row_of(const std::string& text);
 
 /// A document of kind sweep_result, without its provenance.

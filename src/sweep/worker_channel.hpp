@@ -10,7 +10,7 @@
 
 namespace torquewright::sweep {
 
-/// Between a worker and who started it: lines of text. Down: a point's number. Up: "ready
+/// A line of text between a worker and who started it. Down: a point's number. Up: "ready
 /// FINGERPRINT", then for each point "done NUMBER ROW" or "lost NUMBER WHY".
 struct WorkerLine {
   enum class Kind { kReady, kDone, kLost, kUnknown };

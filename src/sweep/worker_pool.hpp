@@ -17,10 +17,10 @@ class WorkerPool {
 
   bool has_room() const { return busy() < jobs_; }
   std::size_t busy() const;
-  /// Requires room.
+  /// Has a worker begin that point; requires room.
   void start(std::size_t point);
-  /// What has been answered, or lost, by then; waits no longer than that for the first. Throws
-  /// io::SpecError and std::runtime_error as run_sweep() does.
+  /// Returns what has been answered, or lost, by then; waits no longer than that for the first.
+  /// Throws io::SpecError and std::runtime_error as run_sweep() does.
   std::vector<PointAnswer> wait(std::chrono::milliseconds patience);
 
  private:

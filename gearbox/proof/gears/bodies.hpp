@@ -19,7 +19,8 @@ Body ring_body(const Alternative& alternative, std::int64_t teeth, int layer);
 /// grows with its teeth.
 Interval total_mass_kg(const Alternative& alternative, const TeethRange& range);
 
-/// At the output; of every design in the range whose ratio lies in `ratio`.
+/// An interval that holds the inertia at the output of every design in the range whose ratio lies
+/// in `ratio`.
 Interval reflected_inertia_kg_m2(const Alternative& alternative, const TeethRange& range,
                                  const Interval& ratio);
 

@@ -15,7 +15,8 @@ struct ContactPath {
 /// planet 1 and its ring; 2: planet 2 and its ring.
 ContactPath contact_path(const TeethRange& range, int mesh);
 
-/// Its length.
+/// An enclosure of the contact ratio, the sum of both parts of that path, of every design in the
+/// range.
 Interval contact_ratio(const TeethRange& range, int mesh);
 
 }  // namespace torquewright::gearbox::proof

@@ -8,7 +8,7 @@ namespace torquewright::gearbox::proof {
 /// Pressure angle of the reference profile: 20 degrees, in rad.
 const Interval& pressure_angle();
 
-/// tan x - x
+/// An enclosure of the involute function, tan x - x.
 Interval involute(const Interval& angle);
 
 /// Whether the tip circle of a ring lies outside its base circle; where not, nothing meshes with
@@ -24,8 +24,9 @@ Interval ring_tip_angle(std::int64_t teeth);
 Interval external_path(std::int64_t teeth);
 Interval ring_path(std::int64_t teeth);
 
-/// The same for all tooth counts of a range, tight: external paths grow with the teeth,
-/// (de/dz > 0 because 4/cos^2 alpha > 0), ring paths fall from 34 teeth on and grow up to 33.
+/// An enclosure of that path for all tooth counts of a range, tight: external paths grow with the
+/// teeth, (de/dz > 0 because 4/cos^2 alpha > 0), ring paths fall from 34 teeth on and grow up to
+/// 33.
 Interval external_path(std::int64_t fewest, std::int64_t most);
 Interval ring_path(std::int64_t fewest, std::int64_t most);
 

@@ -23,8 +23,8 @@ struct Train {
   std::vector<std::string> gears() const;  ///< The free gears, then the rings.
 };
 
-/// That of the problem's topology. Throws std::invalid_argument where there is none: the reader of
-/// problems refuses it.
+/// Returns the train of the problem's topology. Throws std::invalid_argument where there is none:
+/// the reader of problems refuses it.
 const Train& train_of(const Problem& problem);
 
 }  // namespace torquewright::gearbox::proof

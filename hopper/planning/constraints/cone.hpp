@@ -5,14 +5,15 @@
 
 namespace torquewright::hopper {
 
-/// Of the points that touch the least, the planning margin taken off.
+/// Returns the least coefficient of friction of the points that touch, the planning margin taken
+/// off.
 double friction_of(const Site& site);
 
 /// Whether the phase's end lets a point go: the load has to get to the edge there.
 bool tips(const Site& site);
 
-/// What each end of the sole bears at least, of the load, at a share of the phase (0 to 1): the
-/// planning margin, less where the foot is about to tip.
+/// Returns what each end of the sole bears at least, as a share of the load, at a share of the
+/// phase (0 to 1): the planning margin, less where the foot is about to tip.
 double edge_at(const Site& site, double share);
 
 /// Affine rows of forces or impulses of the stance: friction, and of a flat one that each end bears

@@ -9,8 +9,9 @@
 
 namespace torquewright::hopper {
 
-/// At which sites a constraint is asked. Rows stand in this order: phase by phase its steps, its
-/// instants with the joints of each, the phase; then the motion. At one site they go by the list.
+/// The sites at which a constraint is asked. Rows stand in this order: phase by phase its steps,
+/// its instants with the joints of each, the phase; then the motion. At one site they go by the
+/// list.
 enum class Where {
   kStep,     ///< Each moving row (Site::row) of each interval (Site::index).
   kInstant,  ///< Each instant (Site::index).

@@ -7,7 +7,7 @@
 
 namespace torquewright::hopper {
 
-/// In the order of their rows.
+/// Returns every constraint of the planner, in the order of their rows.
 const std::vector<const Constraint*>& every_constraint();
 
 }  // namespace torquewright::hopper

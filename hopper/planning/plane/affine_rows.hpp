@@ -10,7 +10,7 @@ namespace torquewright::hopper {
 /// Rows that are a constant matrix times their variables, of which there may be any number.
 class AffineRows final : public optimization::Rows {
  public:
-  /// `matrix` (bounds x variables).
+  /// Makes rows of `matrix` (bounds x variables) times the variables.
   AffineRows(std::string name, std::vector<int> variables, std::vector<optimization::Bounds> bounds,
              std::vector<double> scales, Eigen::MatrixXd matrix)
       : Rows(std::move(name), std::move(variables), std::move(bounds), std::move(scales)),

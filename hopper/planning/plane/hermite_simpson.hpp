@@ -11,7 +11,8 @@ namespace torquewright::hopper {
 /// docs/derivations/collocation.md eqs. (1), (2).
 class HermiteSimpson final : public optimization::Rows {
  public:
-  /// `scale` of the value.
+  /// Makes the two rows of one interval, `share` of the phase's duration long; `scale` is that of
+  /// the value.
   HermiteSimpson(std::string name, std::vector<int> variables, double share, double scale);
 
   void values(const VectorIn& x, VectorOut rows) const override;

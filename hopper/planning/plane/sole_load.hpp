@@ -9,8 +9,8 @@
 
 namespace torquewright::hopper {
 
-/// Of the weight: under less load a foot that slips pushes nothing, and its friction is not looked
-/// at.
+/// Least load of a foot whose friction is looked at, as a share of the weight: under less a foot
+/// that slips pushes nothing.
 inline constexpr double kLeastLoad = 0.05;
 
 /// What the ends of a sole get from the ground in a sample of a motion.
@@ -20,7 +20,7 @@ struct SoleLoad {
   double fore_N = 0.0;
 
   double load_N() const { return rear_N + fore_N; }
-  /// What the end that bears less bears, of the load; 1 without a load.
+  /// Returns the share of the load that the end bears which bears less; 1 without a load.
   double lesser_share() const { return load_N() > 0.0 ? std::min(rear_N, fore_N) / load_N() : 1.0; }
   /// The friction coefficient that it takes; infinite without a load.
   double friction() const {

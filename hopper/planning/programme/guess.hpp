@@ -6,8 +6,8 @@
 
 namespace torquewright::hopper {
 
-/// Between the instants of a phase: positions cubic by their velocities, velocities cubic by their
-/// accelerations, torques and forces straight. `share` of the phase's duration.
+/// Interpolates between the instants of a phase, at `share` of its duration: positions cubic by
+/// their velocities, velocities cubic by their accelerations, torques and forces straight.
 PlannedInstant instant_at(const PlannedPhase& phase, double share);
 
 /// A first guess by key frames: the document's postures "stand", "takeoff" and "tuck" where it has

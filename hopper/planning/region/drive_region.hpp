@@ -33,7 +33,8 @@ class DriveRegion {
 
   std::size_t rows() const { return straight_.size() + (fitted_ ? fitted_->size() : 0); }
 
-  /// In Nm, before the gear's losses; requires room for rows().
+  /// Computes by how much each bound is exceeded, in Nm, before the gear's losses; 0 or less: it is
+  /// kept. Requires room for rows().
   template <typename T>
   void rows(const T& torque_Nm, const T& speed_rad_s, const T& bus_V, std::span<T> out) const {
     for (std::size_t i = 0; i < straight_.size(); ++i) {
@@ -53,7 +54,7 @@ class DriveRegion {
     return power_->W(torque_Nm, speed_rad_s);
   }
 
-  /// At any speed and voltage.
+  /// Greatest torque of the region at any speed and voltage, in Nm.
   double greatest_torque_Nm() const { return greatest_torque_Nm_; }
   /// Speed without load at the open circuit's voltage.
   double greatest_speed_rad_s() const { return greatest_speed_rad_s_; }
@@ -79,7 +80,7 @@ class DriveRegion {
 
   void be_box(const actuator::JointRange& rest, const DriveRegionOptions& options);
   void be_region(const HeldBus& bus, const DriveRegionOptions& options);
-  /// Of a drive that is known by its curve.
+  /// Makes the rows of a drive that is known by its curve.
   void be_envelope(const HeldBus& bus, const DriveRegionOptions& options);
 
   std::vector<StraightRow> straight_;

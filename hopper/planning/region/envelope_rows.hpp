@@ -19,9 +19,9 @@ struct EnvelopeRows {
   double end_rad_s = 0.0;  ///< Faster is no torque known.
 };
 
-/// At the open circuit's voltage times `keep_V`. Throws io::SpecError, which names the actuator,
-/// where no set of such rows describes the curve. Requires a drive with an envelope.
-/// docs/derivations/envelopes.md.
+/// Makes the rows of a drive's envelope at the open circuit's voltage times `keep_V`. Throws
+/// io::SpecError, which names the actuator, where no set of such rows describes the curve. Requires
+/// a drive with an envelope. docs/derivations/envelopes.md.
 EnvelopeRows envelope_rows(const HeldBus& bus, double keep_V);
 
 }  // namespace torquewright::hopper

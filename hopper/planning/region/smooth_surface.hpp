@@ -20,7 +20,8 @@ struct Taylor {
   double yy = 0.0;
 };
 
-/// It as a number on any scalar, at x and y; requires that it was taken at their values.
+/// Returns the function as a number on any scalar, at x and y; requires that it was taken at their
+/// values.
 template <typename T>
 T carried(const Taylor& f, const T& x, const T& y) {
   const T dx = x - dynamics::value_of(x);

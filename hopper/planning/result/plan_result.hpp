@@ -42,15 +42,14 @@ struct BoundPrice {
   std::string unit;  ///< Empty of a share.
   /// How many times the reserve it is; 0 where it is not the reserve's.
   double per_reserve = 0.0;
-  /// By how much the objective grows per unit more of it, to first order; empty where that cannot
-  /// be told.
+  /// Growth of the objective per unit more of it, to first order; empty where that cannot be told.
   std::optional<double> objective_per_unit;
-  /// Of a margin, the least that samples of the motion keep; empty where it is not looked for.
+  /// The least of a margin that samples of the motion keep; empty where it is not looked for.
   std::optional<double> kept = {};
 };
 
-/// By how much the objective grows per unit of the reserve; empty where nothing is the reserve's,
-/// or a part's price is not known.
+/// Returns the growth of the objective per unit of the reserve; empty where nothing is the
+/// reserve's, or a part's price is not known.
 std::optional<double> reserve_price(const std::vector<BoundPrice>& prices);
 
 /// A constraint that holds a plan back.

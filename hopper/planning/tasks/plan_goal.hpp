@@ -22,7 +22,7 @@ struct MeshPhase {
   std::size_t intervals() const { return knots.size() - 1; }
   /// Instants: knots and middles in turn.
   std::size_t points() const { return 2 * intervals() + 1; }
-  /// Where an instant is.
+  /// Returns the share of the phase's duration at which an instant stands.
   double share_at(std::size_t point) const {
     const std::size_t i = point / 2;
     return point % 2 == 0 ? knots[i] : 0.5 * (knots[i] + knots[i + 1]);
@@ -37,7 +37,7 @@ inline constexpr double kStandsWithin = 0.1;
 struct PlanGoal {
   double turn_rad = 0.0;           ///< Turn of the foot, forwards.
   std::optional<double> stride_m;  ///< Stride of the foot in each flight; empty: free.
-  /// By flight: how high the ground is where it lands, over that where the motion begins.
+  /// Height of the ground where each flight lands, in m, over that where the motion begins.
   std::vector<double> landings_m;
   simulation::GroundProfile ground;  ///< With these heights, edges between the places.
   /// How long it takes from the first take-off to the last touch-down; empty: free.

@@ -17,7 +17,7 @@ struct ComparedActuator {
   actuator::OperatingConditions conditions;
 };
 
-/// Both regions as a table: text, or JSON with its provenance.
+/// Writes both regions as a table: text, or JSON with its provenance.
 std::string comparison_result(const ComparedActuator& from, const ComparedActuator& to,
                               actuator::Side side, bool as_json);
 

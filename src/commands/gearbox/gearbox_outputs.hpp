@@ -8,7 +8,8 @@
 
 namespace torquewright::cli {
 
-/// For before the work. Throws SpecError if a file cannot be written or is the input.
+/// Checks before the work that files can be written: throws SpecError if one cannot, or is the
+/// input.
 void check_outputs(const OutputFiles& files, const std::string& input_file);
 
 /// Writes what was asked for, all of it or nothing, and prints `printed` unless a file is "-".

@@ -19,8 +19,9 @@ struct RefinedActuator {
   actuator::ReadActuator read;
 };
 
-/// Those of all joints, in the rig's order; none where nothing is sure: an actuator with nothing
-/// added to it would only look refined. `judged`: see refined_actuator() in identify.hpp.
+/// The refined actuators of all joints, in the rig's order; none where nothing is sure: an actuator
+/// with nothing added to it would only look refined. `judged`: see refined_actuator() in
+/// identify.hpp.
 struct RefinedActuators {
   std::vector<RefinedActuator> of_joints;
   std::string refusal;  ///< What its own reader says against one of them; then there are none.

@@ -5,7 +5,7 @@
 
 namespace torquewright::cli {
 
-/// For before the work: throws io::SpecError where a file cannot be written or drawn.
+/// Checks before the work: throws io::SpecError where a file cannot be written or drawn.
 void require_flip_outputs(const HopperFlipRequest& request);
 
 /// Throws io::SpecError where a file cannot be written, or is one that has been read.

@@ -6,7 +6,7 @@
 
 namespace torquewright::cli {
 
-/// For before the work: throws io::SpecError where a file cannot be written or drawn.
+/// Checks before the work: throws io::SpecError where a file cannot be written or drawn.
 void require_outputs(const HopperCheckRequest& request);
 
 /// Throws io::SpecError where a file cannot be written, or is one that has been read.

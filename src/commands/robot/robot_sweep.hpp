@@ -51,7 +51,7 @@ std::optional<sweep::Swept> run_robot_sweep(const RobotSweep& asked, const hoppe
 /// Some point passes; none does; not all points are done, or none passes and some are open.
 ExitCode code_of(const sweep::Swept& swept);
 
-/// For before the work: throws io::SpecError where a file of the sweep's cannot be written or
+/// Checks before the work: throws io::SpecError where a file of the sweep's cannot be written or
 /// drawn.
 void require_sweep_outputs(const SweepOptions& options, const std::string& output_file,
                            const std::vector<std::filesystem::path>& inputs);

@@ -11,7 +11,7 @@ namespace torquewright::cli {
 /// be stated.
 nlohmann::ordered_json stated_json(const command_line::DeclaredCommand& command);
 
-/// The same and the options that a result states elsewhere: what its fingerprint counts.
+/// "options" and what a result states elsewhere of them: what its fingerprint counts.
 nlohmann::ordered_json counted_json(const command_line::DeclaredCommand& command);
 
 }  // namespace torquewright::cli

@@ -17,13 +17,13 @@ std::string proof_words(const hopper::PlanResult& result);
 std::string task_words(const hopper::PlanOptions& options, const hopper::PlanResult& result);
 /// CAM, CAV and height of the longest flight; empty without one.
 std::string flight_words(const hopper::PlanResult& result);
-/// How far from its limit, at which value, where and when.
+/// Says how far from its limit it is, at which value, where and when.
 std::string margin_words(const hopper::LeastMargin& margin);
 /// What bounds a plan, what samples keep of a margin, and what more of it costs.
 std::string price_words(const hopper::BoundPrice& part);
 /// What more of the reserve costs, all parts together.
 std::string reserve_words(double reserve, const hopper::PlanResult& result);
-/// In how many instants of which stance, and when; by how much where it is violated.
+/// Says in how many instants of which stance it binds, and when; by how much where it is violated.
 std::string binding_words(const hopper::BindingConstraint& binding);
 /// Two digits and the unit of a size that a motion which runs away may have without bound.
 std::string size_words(double value, const std::string& unit);

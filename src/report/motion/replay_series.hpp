@@ -10,7 +10,7 @@ namespace torquewright::report {
 
 /// A run by time as its page shows it, a row a control instant.
 struct ShownRun {
-  /// That of the run; beside it pitch_rad, height_m (of the centre of mass) and the same with
+  /// The series of the run; beside it pitch_rad, height_m (of the centre of mass) and the same with
   /// planned_ before, ground_up_N and ground_forward_N (means over the control interval),
   /// in_flight, and for each drive outside_column().
   hopper::Series series;

@@ -15,10 +15,10 @@ struct Axis {
   double low = 0.0;
   double high = 1.0;
 
-  /// Widened so that the values fit, numbers that are none apart.
+  /// Widens it so that the values fit; those that are no numbers do not count.
   void include(double value);
   void include(const Eigen::VectorXd& values);
-  /// With room at both ends; from 0 to 1 where it spans nothing.
+  /// Returns the axis with room at both ends; one unit long where it spans nothing.
   Axis roomy(double share) const;
 };
 

@@ -13,7 +13,7 @@ using gearbox::Point;
 /// Elements of a drawing as SVG text, one a line. Lengths in millimetres on paper, y downwards;
 /// style classes are those of the sheet.
 
-/// With so many decimals at most; no trailing zeros, no negative zero.
+/// Writes a number with so many decimals at most; no trailing zeros, no negative zero.
 std::string decimal(double value, int decimals = 3);
 
 /// Text as XML character data. Characters that XML cannot hold become spaces.

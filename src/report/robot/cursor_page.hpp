@@ -13,8 +13,8 @@ constexpr Eigen::Index kMostCursorSamples = 1500;
 /// runs. `further_style` comes after the stylesheet of such pages.
 std::string cursor_page_begin(const std::string& title, const std::string& further_style);
 
-/// From the last section on: the tool's version, and the script with its numbers (cursor_json);
-/// no script where these are empty.
+/// Returns a page from its last section on: the tool's version, and the script with its numbers
+/// (cursor_json); no script where these are empty.
 std::string cursor_page_end(const std::string& numbers);
 
 }  // namespace torquewright::report

@@ -13,9 +13,9 @@ struct Moment {
   bool is_in_flight = false;
 };
 
-/// So many moments in order of time. Half of them are spread over the flights, the other half over
-/// the time between: what a jump is about is short. Without flights, or with nothing but flight,
-/// all are spread over the motion.
+/// Returns so many moments in order of time. Half of them are spread over the flights, the other
+/// half over the time between: what a jump is about is short. Without flights, or with nothing but
+/// flight, all are spread over the motion.
 std::vector<Moment> moments_of(const hopper::Motion& motion,
                                const std::vector<hopper::Flight>& flights, int count);
 

@@ -29,7 +29,8 @@ struct MovingFigure {
   double per_N = 0.0;    ///< Of the arrows of forces.
   bool follows = false;  ///< The view goes with the robot: its way is too long.
 };
-/// Of poses in metres; an arrow of the greatest force is about half the figure high.
+/// What a moving figure is made of, poses in metres; an arrow of the greatest force is about half
+/// the figure high.
 struct MovedPoses {
   Skeleton skeleton;
   std::vector<Pose> poses;
