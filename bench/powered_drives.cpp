@@ -7,13 +7,13 @@
 
 #include <benchmark/benchmark.h>
 
+#include "actuator/effects/library.hpp"
 #include "actuator/region/clip_table.hpp"
 #include "hopper/check/contact_search.hpp"
 #include "hopper/check/demand.hpp"
 #include "hopper/check/drive_reports.hpp"
 #include "hopper/motion/motion_reader.hpp"
 #include "robot/model/robot_spec.hpp"
-#include "tests/actuator/example_actuator.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -54,12 +54,15 @@ Robot with(Robot robot, Change change) {
   return robot;
 }
 
+actuator::Effect effect(const char* name, std::vector<double> values) {
+  return {actuator::find_effect(name), std::move(values), {}, false, "bench"};
+}
+
 void add_friction_and_heat(actuator::Actuator& actuator) {
   actuator.thermal = actuator::Thermal{0.5, 1.0, 100.0, 500.0, 400.0};
-  actuator.effects = {actuator::effect("torque_constant_saturation", {60.0, 2.0}),
-                      actuator::effect("coulomb_friction", {2.0}),
-                      actuator::effect("viscous_friction", {0.2}),
-                      actuator::effect("load_dependent_friction", {0.05, 0.05})};
+  actuator.effects = {effect("torque_constant_saturation", {60.0, 2.0}),
+                      effect("coulomb_friction", {2.0}), effect("viscous_friction", {0.2}),
+                      effect("load_dependent_friction", {0.05, 0.05})};
 }
 
 void add_field_weakening(actuator::Actuator& actuator) {
@@ -72,7 +75,7 @@ void add_everything(actuator::Actuator& actuator) {
   add_friction_and_heat(actuator);
   add_field_weakening(actuator);
   actuator.motor.inductance_q_H = 2e-4;
-  actuator.effects.push_back(actuator::effect("inverter_dead_time", {0.8}));
+  actuator.effects.push_back(effect("inverter_dead_time", {0.8}));
 }
 
 /// The flip over and over, its torques so many times as great.
