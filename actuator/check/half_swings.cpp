@@ -7,7 +7,8 @@
 namespace torquewright::actuator {
 namespace {
 
-constexpr double kNear = 0.25;  ///< Of the height.
+/// Of a swing's height: motion nearer to its turning point counts as rest. A choice of ours.
+constexpr double kNear = 0.25;
 
 }  // namespace
 

@@ -17,9 +17,11 @@ namespace torquewright::actuator {
 namespace {
 
 constexpr double kRelativeTolerance = 1e-14;  // of the greatest torque or speed
-constexpr double kMostBack = 100.0;           // of them
-constexpr double kPeakTolerance = 1e-9;       // where only the place of a flat top is sought
-constexpr double kVoltageTolerance = 2e-15;   // of the phase voltage: rounding in a square root
+// How far back from an end that rounding put too far a speed with a range is looked for, in
+// tolerances of the speed.
+constexpr double kMostBack = 100.0;
+constexpr double kPeakTolerance = 1e-9;      // where only the place of a flat top is sought
+constexpr double kVoltageTolerance = 2e-15;  // of the phase voltage: rounding in a square root
 
 enum class Method {
   kSolve,   ///< By closed forms or Newton's method where they tell, else by search.

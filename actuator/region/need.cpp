@@ -9,9 +9,12 @@
 namespace torquewright::actuator {
 namespace {
 
-constexpr double kNeedTolerance = 1e-9;   // of what is sought
-constexpr int kFactorsTried = 240;        // up to kGreatestChange
-constexpr int kRatiosTried = 240;         // per factor of kGreatestChange, each way
+constexpr double kNeedTolerance = 1e-9;  // of what is sought
+// Factors up to kGreatestChange, evenly by their logarithm, and ratios for each such span, that are
+// tried before the least of them is bisected: each a region. What helps over less than one of these
+// steps is not found.
+constexpr int kFactorsTried = 240;
+constexpr int kRatiosTried = 240;
 constexpr double kPowerTolerance = 1e-6;  // of the speed range
 
 /// Distance of the torque to the nearer bound; negative outside, but not by what rounding may miss.

@@ -19,12 +19,14 @@ constexpr std::size_t kMostTemperatures = 5;
 constexpr double kLeastVoltage = 0.5;  // of the supply's, as the next
 constexpr double kGreatestVoltage = 1.2;
 constexpr double kFreezing_K = 273.15;
-constexpr double kWarm_K = 393.15;    // where the document states no limit of its winding
-constexpr int kRangeHalvings = 7;     // until a range is known to about a hundredth
-constexpr int kSpeedsCompared = 100;  // in each direction
+constexpr double kWarm_K = 393.15;  // where the document states no limit of its winding
+constexpr int kRangeHalvings = 7;   // until a range is known to about a hundredth
+// In each direction, where a grid is compared with the region that it stands for: its stated error
+// is the worst of these, and what lies between them is not looked at.
+constexpr int kSpeedsCompared = 100;
 constexpr double kBeforeEnd = RegionGrid::kBeforeEnd;
 constexpr double kJumpShare = 1e-6;   // of the peak torque: no jump is smaller
-constexpr double kNearCorner = 1e-6;  // of a place
+constexpr double kNearCorner = 1e-6;  // of a place: a row so near a whole one is left out
 constexpr double kNearPlace = 1e-3;   // no two rows are closer
 constexpr double kStraight = 1e-9;    // of the peak torque, off a line: rounding
 constexpr double kInsideEnd = 1e-9;   // of a speed: back into the region after rounding

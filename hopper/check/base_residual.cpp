@@ -12,7 +12,8 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kNoise = 4.0;            // standard deviations
+constexpr double kNoise =
+    4.0;  // standard deviations that noise may add: normal noise is beyond in 1 of 16,000
 constexpr double kLastingWindows = 50.0;  // half a second where the window is 10 ms
 // Of the window's limits, as over a flight, where a tenth of momentum lies either way of its mean.
 constexpr double kLastingForce = 0.1, kLastingMoment = 0.2;

@@ -16,9 +16,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kDeviations = 4.0;
-constexpr double kMost = 0.95;      // of the samples
+constexpr double kMost = 0.95;      // share of the samples by whose doubt a window is judged
 constexpr double kClearly = 4.0;    // times the least doubt: wider windows know no better
-constexpr Index kWidest = 1 << 13;  // neighbours on either side
+constexpr Index kWidest = 1 << 13;  // neighbours on either side: windows double, so 13 of them
 const double kRoundingOfUniform = 1.0 / std::sqrt(12.0);  // standard deviation, of a step
 
 /// One window: its accelerations, and what steps and noise may make of them, (n x samples).

@@ -13,10 +13,14 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double kAlike =
-    1e-9;                       // of the greatest value: differences that rounding of doubles makes
-constexpr double kFits = 0.05;  // of a step
-constexpr Index kFewest = 7;    // samples
-constexpr double kBends = 0.1;  // of the samples beside which the value changes
+    1e-9;  // of the greatest value: differences that rounding of doubles makes
+// Of a step: a gap between two values is a number of steps where it is no farther from one. A
+// choice of ours.
+constexpr double kFits = 0.05;
+constexpr Index kFewest = 7;  // samples: of fewer any values may have a common step
+// Of the samples beside which the value changes: where more than these bend by half a step, the
+// values are rounded to it. A choice of ours.
+constexpr double kBends = 0.1;
 
 /// Sorted gaps between values in ascending order that are more than rounding of doubles.
 std::vector<double> gaps_of(std::vector<double> values, double least) {

@@ -14,7 +14,9 @@ namespace {
 
 using actuator::Instant;
 
-constexpr int kParts = 4;  ///< Of a step.
+/// Parts of a step of the log over which a state is carried: each is one more evaluation of its
+/// rate.
+constexpr int kParts = 4;
 
 /// A rate that is linear in its state: d state / dt = at_rest + slope state.
 struct LinearRate {

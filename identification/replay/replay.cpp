@@ -14,7 +14,7 @@ namespace {
 constexpr double kWindow_s = 1.0;
 constexpr double kSettling_s = 0.1;  ///< Of the filters, at both ends of a stretch.
 constexpr double kStep_s = 2e-3;
-constexpr int kRestSamples = 3;  ///< In a row.
+constexpr int kRestSamples = 3;  ///< In a row: a reversal has fewer.
 
 bool is_at_rest(const actuator::Instant& at) { return std::abs(at.direction) < 1.0; }
 

@@ -11,7 +11,7 @@
 namespace torquewright::identification {
 namespace {
 
-constexpr std::size_t kMostModels = 12;  ///< That are listed.
+constexpr std::size_t kMostModels = 12;  ///< Most that are listed. A choice of ours.
 
 /// Waves of one kind are one effect.
 std::vector<NamedEffect> named_members(const ModelFit& fit) {

@@ -14,9 +14,10 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr int kInstants = 41;          // of a phase
-constexpr double kHump_m = 0.15;       // of the base, in flight
-constexpr double kToeUp_rad = 0.2;     // of the foot on its heel
+// Of a first guess, which the solver leaves: choices of ours.
+constexpr int kInstants = 41;          // of a phase, by whose differences rates are made
+constexpr double kHump_m = 0.15;       // height that the base gains in flight
+constexpr double kToeUp_rad = 0.2;     // pitch of a foot that stands on its heel
 constexpr double kTuckedUntil = 0.35;  // share of the flight by which legs are drawn in
 
 /// What joints and foot do at an instant.

@@ -15,7 +15,9 @@
 namespace torquewright::hopper {
 namespace {
 
-constexpr double kJumpWidth = 0.02;            // of the no-load speed
+// Of the no-load speed: the width over which a jump of the region at rest is drawn out, so that the
+// solver has a slope there.
+constexpr double kJumpWidth = 0.02;
 constexpr double kFastestOfAny_rad_s = 100.0;  // in its place where no voltage sets one
 constexpr double kPowerOverNoLoad = 4.0;  // speeds whose power is known well, in no-load speeds
 

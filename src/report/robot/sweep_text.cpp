@@ -14,7 +14,7 @@ using sweep::Swept;
 using sweep::SweptAxis;
 using sweep::SweptPoint;
 
-constexpr std::size_t kMostLetters = 100;  // of a reason
+constexpr std::size_t kMostLetters = 100;  // of a reason in a line of the table
 
 std::string heading(const Swept& swept) {
   std::string text = fmt::format("{}: {} over ", swept.subject, swept.command);
