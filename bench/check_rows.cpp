@@ -41,7 +41,7 @@ void write_motion(const fs::path& file, long rows, const actuator::RegionLookup&
   std::FILE* stream = std::fopen(file.c_str(), "w");
   if (stream == nullptr) throw std::runtime_error("cannot write " + file.string());
   std::fputs("time_s,knee_position_rad,knee_velocity_rad_s,knee_torque_Nm\n", stream);
-  const double speed_rad_s = 0.5 * lookup.region().greatest_speed_rad_s();
+  const double speed_rad_s = 0.5 * lookup.greatest_speed_rad_s();
   const double torque_Nm = 0.3 * lookup.near(0.0).greatest_Nm;
   for (long i = 0; i < rows; ++i) {
     const double t = kStep_s * static_cast<double>(i);

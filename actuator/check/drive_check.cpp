@@ -23,17 +23,17 @@ DriveCheck::DriveCheck(const CheckedDrive& drive, const DriveOptions& options)
   report_.armature_kg_m2 = armature_kg_m2_;
   report_.has_torque = options.has_torque;
   report_.inertia = options.inertia;
-  report_.no_load_speed_rad_s = no_load_speed_rad_s(basis_.lookup.region().model()) /
-                                std::abs(drive.actuator->transmission.ratio);
+  report_.no_load_speed_rad_s =
+      no_load_speed_rad_s(basis_.lookup.model()) / std::abs(drive.actuator->transmission.ratio);
   report_.left_out = left_out(*drive.actuator, options.part);
   report_.assumed = drive.actuator->assumed;
 }
 
 void DriveCheck::set_bus_voltage_V(double voltage_V) {
-  if (!levels_) levels_.emplace(*basis_.actuator, conditions_);
-  const CheckBasis& basis = levels_->at(voltage_V);
-  interpretation_.use(basis);
-  if (with_inertia_) with_inertia_->use(basis);
+  if (!held_) held_ = held_region(basis_, conditions_);
+  const RegionLookup lookup(held_, voltage_V, basis_.temperature_K);
+  interpretation_.use(lookup);
+  if (with_inertia_) with_inertia_->use(lookup);
 }
 
 void DriveCheck::add(double time_s, std::optional<double> position_rad, double speed_rad_s,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "actuator/check/bus_levels.hpp"
 #include "actuator/check/interpretation_check.hpp"
 #include "actuator/check/left_out_sizes.hpp"
 #include "actuator/check/trace.hpp"
@@ -55,7 +55,7 @@ class DriveCheck {
   DriveOptions options_;
   OperatingConditions conditions_;
   CheckBasis basis_;
-  std::optional<BusLevels> levels_;
+  std::shared_ptr<const HeldRegion> held_;  ///< Null while the drive is on its own supply.
   double armature_kg_m2_;
   InterpretationCheck interpretation_;
   std::optional<InterpretationCheck> with_inertia_;

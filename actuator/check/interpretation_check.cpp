@@ -39,18 +39,28 @@ CheckBasis::CheckBasis(const Actuator& checked, const OperatingConditions& condi
       temperature_K(winding_temperature_K(checked, conditions)),
       rotor(checked),
       lookup(rotor.behind_any_teeth(checked), conditions),
-      rest_rad_s(kRoundedRest * no_load_speed_rad_s(lookup.region().model()) /
+      rest_rad_s(kRoundedRest * no_load_speed_rad_s(lookup.model()) /
                  std::abs(checked.transmission.ratio)),
       heat(heat_model(checked)) {}
 
+std::shared_ptr<const HeldRegion> held_region(const CheckBasis& basis,
+                                              const OperatingConditions& conditions) {
+  return std::make_shared<const HeldRegion>(basis.rotor.behind_any_teeth(*basis.actuator),
+                                            conditions, GridTemperatures::kAsAsked);
+}
+
 InterpretationCheck::InterpretationCheck(const CheckBasis& basis, bool wants_speed_margin)
-    : basis_(&basis), basis_of_worst_(&basis), wants_speed_margin_(wants_speed_margin) {
+    : basis_(&basis),
+      lookup_(basis.lookup),
+      lookup_of_worst_(basis.lookup),
+      lookup_of_first_(basis.lookup),
+      wants_speed_margin_(wants_speed_margin) {
   if (basis.heat) heat_.emplace(*basis.heat);
 }
 
 bool InterpretationCheck::add(double time_s, double speed_rad_s, double torque_Nm,
                               double acceleration_rad_s2) {
-  const RegionLookup& lookup = basis_->lookup;
+  const RegionLookup& lookup = lookup_;
   if (std::abs(speed_rad_s) < basis_->rest_rad_s) speed_rad_s = 0.0;
   const auto [motor_Nm, teeth_Nm] =
       basis_->rotor.of(speed_rad_s, torque_Nm, acceleration_rad_s2, last_speed_rad_s_);
@@ -65,14 +75,14 @@ bool InterpretationCheck::add(double time_s, double speed_rad_s, double torque_N
                            {},     0.0,         is_by_teeth ? Limiter::kGear : Limiter::kCurrent};
   if (samples_ == 0) first_s_ = time_s;
   if (is_outside && interpretation_.clipped_samples++ == 0) {
-    basis_of_first_ = basis_;
+    lookup_of_first_ = lookup_;
     interpretation_.first = sample;
   }
   clipped_.add(time_s, is_outside ? 1.0 : 0.0);
   const double excess_Nm = std::max(motor_excess_Nm, teeth_excess_Nm);
   if (excess_Nm > worst_excess_Nm_) {
     worst_excess_Nm_ = excess_Nm;
-    basis_of_worst_ = basis_;
+    lookup_of_worst_ = lookup_;
     interpretation_.worst = sample;
   }
   // What the motor could hold in place of what turns its rotor says nothing of speeds.
@@ -87,8 +97,8 @@ bool InterpretationCheck::add(double time_s, double speed_rad_s, double torque_N
 }
 
 void InterpretationCheck::note_speed_margin(double speed_rad_s, double torque_Nm) {
-  if (!basis_->lookup.has_less_speed_margin(speed_rad_s, torque_Nm, speed_margin_rad_s_)) return;
-  waiting_.push_back({basis_, speed_rad_s, torque_Nm});
+  if (!lookup_.has_less_speed_margin(speed_rad_s, torque_Nm, speed_margin_rad_s_)) return;
+  waiting_.push_back({lookup_, speed_rad_s, torque_Nm});
   if (waiting_.size() < kMostWaiting) return;
   speed_margin_rad_s_ = least_speed_margin_rad_s(waiting_, speed_margin_rad_s_);
   waiting_.clear();
@@ -98,7 +108,7 @@ void InterpretationCheck::note_speed_margin(double speed_rad_s, double torque_Nm
 double InterpretationCheck::least_speed_margin_rad_s(const std::vector<Slow>& waiting,
                                                      double least_rad_s) {
   for (auto slow = waiting.rbegin(); slow != waiting.rend(); ++slow) {
-    const RegionLookup& lookup = slow->basis->lookup;
+    const RegionLookup& lookup = slow->lookup;
     if (!lookup.has_less_speed_margin(slow->speed_rad_s, slow->torque_Nm, least_rad_s)) continue;
     least_rad_s = lookup.speed_margin_rad_s(slow->speed_rad_s, slow->torque_Nm, least_rad_s);
   }
@@ -108,8 +118,8 @@ double InterpretationCheck::least_speed_margin_rad_s(const std::vector<Slow>& wa
 void InterpretationCheck::add_demand(double time_s, double speed_rad_s, double torque_Nm,
                                      const TorqueRange& range) {
   const auto demand_of = [&](double asked_Nm) {
-    return demand_at(*basis_->actuator, basis_->lookup.region().model(), basis_->temperature_K,
-                     speed_rad_s, asked_Nm);
+    return demand_at(*basis_->actuator, lookup_.model(), basis_->temperature_K, speed_rad_s,
+                     asked_Nm);
   };
   std::optional<Demand> demand = demand_of(torque_Nm);
   if (!demand) {
@@ -134,18 +144,19 @@ void InterpretationCheck::add_heat(double time_s, double square_A2) {
 }
 
 /// A sample whose teeth bear more than its motor lacks.
-WorstSample InterpretationCheck::in_the_teeth(WorstSample sample, const CheckBasis& basis) {
-  const double most_Nm = basis.actuator->transmission.peak_torque_Nm;
+WorstSample InterpretationCheck::in_the_teeth(WorstSample sample,
+                                              const RegionLookup& lookup) const {
+  const double most_Nm = basis_->actuator->transmission.peak_torque_Nm;
   const double excess_Nm = std::abs(sample.torque_Nm) - most_Nm;
   sample.limit_Nm = std::copysign(most_Nm, sample.torque_Nm);
-  sample.excess_Nm = excess_Nm > basis.lookup.round_off_Nm() ? excess_Nm : 0.0;
+  sample.excess_Nm = excess_Nm > lookup.round_off_Nm() ? excess_Nm : 0.0;
   return sample;
 }
 
 /// A sample with the bound of the region itself.
-WorstSample InterpretationCheck::exactly(WorstSample sample, const CheckBasis& basis) {
-  if (sample.limiter == Limiter::kGear) return in_the_teeth(sample, basis);
-  const JointRange range = basis.lookup.exact(sample.speed_rad_s);
+WorstSample InterpretationCheck::exactly(WorstSample sample, const RegionLookup& lookup) const {
+  if (sample.limiter == Limiter::kGear) return in_the_teeth(sample, lookup);
+  const JointRange range = lookup.exact(sample.speed_rad_s);
   if (range.is_empty) {
     sample.limiter = range.why_empty;
     sample.excess_Nm = std::abs(sample.torque_Nm);
@@ -158,7 +169,7 @@ WorstSample InterpretationCheck::exactly(WorstSample sample, const CheckBasis& b
       is_upper ? sample.torque_Nm - bound.torque_Nm : bound.torque_Nm - sample.torque_Nm;
   sample.limit_Nm = bound.torque_Nm;
   sample.limiter = bound.limiter;
-  sample.excess_Nm = excess_Nm > basis.lookup.round_off_Nm() ? excess_Nm : 0.0;
+  sample.excess_Nm = excess_Nm > lookup.round_off_Nm() ? excess_Nm : 0.0;
   return sample;
 }
 
@@ -166,9 +177,10 @@ CheckedInterpretation InterpretationCheck::finish(std::size_t runs, double pause
   CheckedInterpretation interpretation = interpretation_;
   const double duration_s = last_s_ - first_s_;
   interpretation.clipped_time_s = clipped_.sum();
-  interpretation.worst = exactly(interpretation_.worst, *basis_of_worst_);
-  if (basis_of_first_ != nullptr)
-    interpretation.first = exactly(*interpretation_.first, *basis_of_first_);
+  interpretation.worst = exactly(interpretation_.worst, lookup_of_worst_);
+  if (interpretation.first) {
+    interpretation.first = exactly(*interpretation.first, lookup_of_first_);
+  }
   interpretation.margin_Nm = -interpretation.worst.excess_Nm;
   if (interpretation.worst.excess_Nm == 0.0 && interpretation.worst.limit_Nm) {
     interpretation.margin_Nm =

@@ -26,14 +26,18 @@ struct CheckBasis {
   std::optional<HeatModel> heat;
 };
 
+/// Returns the region that a drive's samples are judged by while others load its battery.
+std::shared_ptr<const HeldRegion> held_region(const CheckBasis& basis,
+                                              const OperatingConditions& conditions);
+
 /// Gathers the results of one interpretation of an actuator's samples, in constant memory.
 class InterpretationCheck {
  public:
   /// `wants_speed_margin`: compute speed margins, which takes longer and no verdict needs.
   explicit InterpretationCheck(const CheckBasis& basis, bool wants_speed_margin = true);
 
-  /// Uses this basis for the samples that follow: the same actuator on another bus voltage.
-  void use(const CheckBasis& basis) { basis_ = &basis; }
+  /// Uses this region for the samples that follow: the same actuator's on another bus voltage.
+  void use(RegionLookup lookup) { lookup_ = std::move(lookup); }
 
   /// Adds a sample; times ascend, and the torque is at the joint, with all inertia of rotor and
   /// gears. True if the sample lies outside the region or loads the teeth too much.
@@ -44,7 +48,7 @@ class InterpretationCheck {
  private:
   /// A sample that may have the least speed margin.
   struct Slow {
-    const CheckBasis* basis;
+    RegionLookup lookup;
     double speed_rad_s;
     double torque_Nm;
   };
@@ -53,13 +57,14 @@ class InterpretationCheck {
   void add_demand(double time_s, double speed_rad_s, double torque_Nm, const TorqueRange& range);
   void add_heat(double time_s, double square_A2);
   void add_continuous(double pause_s, CheckedInterpretation& result) const;
-  static WorstSample exactly(WorstSample sample, const CheckBasis& basis);
-  static WorstSample in_the_teeth(WorstSample sample, const CheckBasis& basis);
+  WorstSample exactly(WorstSample sample, const RegionLookup& lookup) const;
+  WorstSample in_the_teeth(WorstSample sample, const RegionLookup& lookup) const;
 
   const CheckBasis* basis_;
-  const CheckBasis* basis_of_worst_;
-  /// Basis of the first sample outside; null: none lies outside.
-  const CheckBasis* basis_of_first_ = nullptr;
+  RegionLookup lookup_;
+  RegionLookup lookup_of_worst_;
+  /// Of the first sample outside, if one lies outside.
+  RegionLookup lookup_of_first_;
   bool wants_speed_margin_;
   CheckedInterpretation interpretation_;
   std::size_t samples_ = 0;

@@ -9,8 +9,10 @@
 namespace torquewright::actuator {
 namespace {
 
-/// The table's error is what was found at some places between its rows; be this much more careful.
+/// The table's error is what was found at some places between its rows; be this much more careful,
 constexpr double kDoubtOverTableAccuracy = 4.0;
+/// and with what a held region states of its own, which is more than was found.
+constexpr double kDoubtOverHeldError = 2.0;
 constexpr double kRoundOff = 1e-9;        // of the peak torque
 constexpr double kSpeedTolerance = 1e-9;  // of the greatest speed
 constexpr int kSpeedsTried = 200;         // between rest and the greatest speed
@@ -36,31 +38,57 @@ double TorqueRange::excess_Nm(double torque_Nm) const {
   return std::max(torque_Nm - greatest_Nm, least_Nm - torque_Nm);
 }
 
-RegionLookup::RegionLookup(const Actuator& actuator, const OperatingConditions& conditions)
-    : region_(actuator, conditions),
-      table_(mor_table(region_)),
-      doubt_Nm_(kDoubtOverTableAccuracy * kTableAccuracy * table_.peak_torque_Nm),
-      round_off_Nm_(kRoundOff * table_.peak_torque_Nm) {
-  for (const MorRow& row : table_.rows) speeds_rad_s_.push_back(row.speed_rad_s);
+RegionLookup::RegionLookup(const Actuator& actuator, const OperatingConditions& conditions) {
+  const Region region(actuator, conditions);
+  Own own{region, mor_table(region), {}};
+  for (const MorRow& row : own.table.rows) own.speeds_rad_s.push_back(row.speed_rad_s);
+  model_ = region.model();
+  doubt_Nm_ = kDoubtOverTableAccuracy * kTableAccuracy * own.table.peak_torque_Nm;
+  round_off_Nm_ = kRoundOff * own.table.peak_torque_Nm;
+  own_ = std::make_shared<const Own>(std::move(own));
+}
+
+RegionLookup::RegionLookup(std::shared_ptr<const HeldRegion> held, double bus_V, double winding_K)
+    : held_(std::move(held)),
+      bus_V_(bus_V),
+      winding_K_(winding_K),
+      model_(held_->model(bus_V, winding_K)),
+      doubt_Nm_(kDoubtOverHeldError * held_->error_Nm()),
+      round_off_Nm_(kRoundOff * held_->peak_torque_Nm()) {}
+
+JointRange RegionLookup::exact(double speed_rad_s) const {
+  return held_ ? held_->exact(bus_V_, winding_K_, speed_rad_s) : own_->region.at(speed_rad_s);
+}
+
+double RegionLookup::greatest_speed_rad_s() const {
+  return held_ ? held_->greatest_speed_rad_s(bus_V_, winding_K_)
+               : own_->region.greatest_speed_rad_s();
 }
 
 TorqueRange RegionLookup::near(double speed_rad_s) const {
-  const auto above = std::lower_bound(speeds_rad_s_.begin(), speeds_rad_s_.end(), speed_rad_s);
-  if (above == speeds_rad_s_.end() || (above == speeds_rad_s_.begin() && *above != speed_rad_s)) {
+  if (held_) {
+    const std::optional<Interval> found = held_->tabulated(bus_V_, winding_K_, speed_rad_s);
+    if (!found) return range_of(exact(speed_rad_s));
+    return {false, found->least_Nm, found->greatest_Nm};
+  }
+  const std::vector<double>& speeds_rad_s = own_->speeds_rad_s;
+  const std::vector<MorRow>& rows = own_->table.rows;
+  const auto above = std::lower_bound(speeds_rad_s.begin(), speeds_rad_s.end(), speed_rad_s);
+  if (above == speeds_rad_s.end() || (above == speeds_rad_s.begin() && *above != speed_rad_s)) {
     return range_of(exact(speed_rad_s));
   }
-  const auto index = static_cast<std::size_t>(above - speeds_rad_s_.begin());
-  const JointRange& after = table_.rows[index].range;
+  const auto index = static_cast<std::size_t>(above - speeds_rad_s.begin());
+  const JointRange& after = rows[index].range;
   if (*above == speed_rad_s) {
     // At rest, where a bound may jump, the second row follows.
-    const bool has_twin = index + 1 < table_.rows.size() && *(above + 1) == speed_rad_s;
-    const JointRange& twin = table_.rows[has_twin ? index + 1 : index].range;
+    const bool has_twin = index + 1 < rows.size() && *(above + 1) == speed_rad_s;
+    const JointRange& twin = rows[has_twin ? index + 1 : index].range;
     if (after.is_empty || twin.is_empty) return range_of(exact(speed_rad_s));
     return united(range_of(after), range_of(twin));
   }
-  const JointRange& before = table_.rows[index - 1].range;
+  const JointRange& before = rows[index - 1].range;
   if (before.is_empty || after.is_empty) return range_of(exact(speed_rad_s));
-  const double low_rad_s = speeds_rad_s_[index - 1];
+  const double low_rad_s = speeds_rad_s[index - 1];
   const double share = (speed_rad_s - low_rad_s) / (*above - low_rad_s);
   const auto between = [share](double one, double other) { return one + share * (other - one); };
   return {false, between(before.least.torque_Nm, after.least.torque_Nm),
@@ -92,7 +120,7 @@ bool RegionLookup::has_less_speed_margin(double speed_rad_s, double torque_Nm,
 double RegionLookup::speed_margin_rad_s(double speed_rad_s, double torque_Nm,
                                         double at_most_rad_s) const {
   const double direction = direction_of(speed_rad_s, torque_Nm);
-  const double greatest_rad_s = region_.greatest_speed_rad_s();
+  const double greatest_rad_s = greatest_speed_rad_s();
   const double start_rad_s = std::abs(speed_rad_s);
   const auto sign = [&](double distance_rad_s) {
     return holds(direction * distance_rad_s, torque_Nm) ? 1.0 : -1.0;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "actuator/conditions/held_region.hpp"
 #include "actuator/region/mor_table.hpp"
 
 namespace torquewright::actuator {
@@ -20,19 +22,23 @@ struct TorqueRange {
 
 /// Answers questions about a region at the joint, at very many speeds: from a table, and from the
 /// region itself where the table might be wrong. Whether a torque is inside or outside is exact.
+/// Copies share the table.
 class RegionLookup {
  public:
+  /// Of the actuator on its own supply.
   RegionLookup(const Actuator& actuator, const OperatingConditions& conditions);
+  /// Of an actuator whose bus is held at a voltage.
+  RegionLookup(std::shared_ptr<const HeldRegion> held, double bus_V, double winding_K);
 
-  /// Returns the bounds at a speed from the table, which may be off by its accuracy; beyond its
-  /// rows and beside empty ranges from the region itself.
+  /// Returns the bounds at a speed from the table, which may be off by its accuracy; where it does
+  /// not tell (beyond its ends, beside empty ranges) from the region itself.
   TorqueRange near(double speed_rad_s) const;
 
   /// Returns the same as near(), but from the region itself where the torque lies so near a bound
   /// that the table may be wrong about it.
   TorqueRange at(double speed_rad_s, double torque_Nm) const;
 
-  JointRange exact(double speed_rad_s) const { return region_.at(speed_rad_s); }
+  JointRange exact(double speed_rad_s) const;
 
   /// Torque past a bound that counts as inside: rounding.
   double round_off_Nm() const { return round_off_Nm_; }
@@ -50,14 +56,25 @@ class RegionLookup {
   /// Whether the speed margin is less than `margin_rad_s`; much cheaper than the margin itself.
   bool has_less_speed_margin(double speed_rad_s, double torque_Nm, double margin_rad_s) const;
 
-  const Region& region() const { return region_; }
+  double greatest_speed_rad_s() const;
+  /// The electrical side.
+  const PhaseModel& model() const { return model_; }
 
  private:
+  /// The region on a supply of its own, and its table.
+  struct Own {
+    Region region;
+    MorTable table;
+    std::vector<double> speeds_rad_s;  ///< Speeds of the table's rows.
+  };
+
   bool holds(double speed_rad_s, double torque_Nm) const;
 
-  Region region_;
-  MorTable table_;
-  std::vector<double> speeds_rad_s_;  ///< Speeds of the table's rows.
+  std::shared_ptr<const Own> own_;
+  std::shared_ptr<const HeldRegion> held_;  ///< One of the two is null.
+  double bus_V_ = 0.0;
+  double winding_K_ = 0.0;
+  PhaseModel model_;
   double doubt_Nm_;
   double round_off_Nm_;
 };

@@ -9,6 +9,7 @@
 namespace torquewright::actuator {
 
 std::optional<RegionGrid> exported_grid(const Subject& subject) {
+  if (subject.actuator.envelope) return std::nullopt;
   std::optional<RegionGrid> grid =
       region_grid(subject.actuator, subject.conditions, subject.region.side());
   if (!grid || subject.fit == LawFit::kBest) return grid;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "actuator/exporters/exporter.hpp"
-#include "actuator/region/region_grid.hpp"
+#include "actuator/conditions/region_grid.hpp"
 
 namespace torquewright::actuator {
 

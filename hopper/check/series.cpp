@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 
-#include "actuator/check/bus_levels.hpp"
 #include "actuator/check/demand.hpp"
+#include "actuator/check/interpretation_check.hpp"
 #include "actuator/region/torque_at.hpp"
 
 namespace torquewright::hopper {
@@ -95,19 +95,20 @@ class SeriesPass {
     const double temperature_K = winding_temperature_K(actuator, options_.conditions);
     const actuator::CheckBasis own(actuator, options_.conditions);
     const double rotor_kg_m2 = actuator::before_gears_kg_m2(actuator);
-    actuator::BusLevels levels(actuator, options_.conditions);
+    const auto held = bus != nullptr ? held_region(own, options_.conditions) : nullptr;
     Eigen::MatrixXd found = Eigen::MatrixXd::Constant(6, motion_.samples(), kNone);
     double before_rad_s = 0.0;
     for (Index sample = 0; sample < motion_.samples(); ++sample) {
       const DriveInstant& at =
           demand().drives[static_cast<std::size_t>(drive)][static_cast<std::size_t>(sample)];
-      const actuator::CheckBasis& basis = bus != nullptr ? levels.at(bus->voltage_V[sample]) : own;
-      const double motor_Nm = basis.rotor
+      const double motor_Nm = own.rotor
                                   .of(at.speed_rad_s, report_.torques_Nm(drive, sample),
                                       at.rotor_acceleration_rad_s2(rotor_kg_m2), before_rad_s)
                                   .motor_Nm;
       before_rad_s = at.speed_rad_s;
-      const actuator::TorqueRange range = basis.lookup.at(at.speed_rad_s, motor_Nm);
+      const actuator::RegionLookup lookup =
+          held ? actuator::RegionLookup(held, bus->voltage_V[sample], temperature_K) : own.lookup;
+      const actuator::TorqueRange range = lookup.at(at.speed_rad_s, motor_Nm);
       if (!range.is_empty) {
         found.col(sample).segment<3>(3) << range.least_Nm, range.greatest_Nm,
             -range.excess_Nm(motor_Nm);

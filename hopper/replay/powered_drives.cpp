@@ -54,14 +54,23 @@ void require_possible(const FixedDrives& drives, const actuator::OperatingCondit
   if (!faults.empty()) throw io::SpecError(std::move(faults));
 }
 
-/// Drives of one kind share theirs.
-void make_levels(actuator::Rating rating, FixedDrives& drives) {
+/// What a drive can do at the voltages and, where its heat is known, the temperatures of a run;
+/// drives of one kind share it.
+void make_regions(const actuator::OperatingConditions& conditions, FixedDrives& drives) {
+  using actuator::GridTemperatures;
   for (auto drive = drives.begin(); drive != drives.end(); ++drive) {
+    const actuator::Actuator actuator = actuator::without_voltage_sag(drive->actuator);
+    const bool warms = actuator.thermal.has_value();
+    actuator::OperatingConditions own{conditions.rating, {}, {}, {}};
+    if (!warms) own.winding_temperature_K = conditions.winding_temperature_K;
     const auto alike = std::find_if(drives.begin(), drive, [&](const FixedDrive& before) {
-      return before.levels->are_of(drive->actuator, rating);
+      return before.region->is_of(actuator, own);
     });
-    drive->levels = alike != drive ? alike->levels
-                                   : std::make_shared<const RegionLevels>(drive->actuator, rating);
+    drive->region = alike != drive ? alike->region
+                                   : std::make_shared<const actuator::HeldRegion>(
+                                         actuator, own,
+                                         warms ? GridTemperatures::kFreezingToLimit
+                                               : GridTemperatures::kAsAsked);
   }
 }
 
@@ -103,14 +112,17 @@ class PoweredDrives::Work {
  public:
   Work(FixedDrives drives, const PoweredDriveOptions& options) {
     require_possible(drives, options.conditions);
-    make_levels(options.conditions.rating, drives);
-    rating_ = options.conditions.rating;
+    make_regions(options.conditions, drives);
+    made_for_ = options.conditions;
     fixed_ = std::make_shared<const FixedDrives>(std::move(drives));
     begin(options);
   }
 
   std::unique_ptr<Work> under(const PoweredDriveOptions& options) const {
-    if (options.conditions.rating != rating_) return std::make_unique<Work>(*fixed_, options);
+    const bool is_alike =
+        options.conditions.rating == made_for_.rating &&
+        options.conditions.winding_temperature_K == made_for_.winding_temperature_K;
+    if (!is_alike) return std::make_unique<Work>(*fixed_, options);
     require_possible(*fixed_, options.conditions);
     auto other = std::make_unique<Work>(*this);
     other->begin(options);
@@ -242,7 +254,7 @@ class PoweredDrives::Work {
     }
   }
 
-  actuator::Rating rating_ = actuator::Rating::kPeak;
+  actuator::OperatingConditions made_for_;  ///< Its rating and temperature, the regions.
   std::shared_ptr<const FixedDrives> fixed_;
   std::vector<WorkingDrive> drives_;
   std::vector<Bus> buses_;

@@ -83,10 +83,10 @@ WorkingDrive::WorkingDrive(const FixedDrive& fixed, const PoweredDriveOptions& o
       friction_Nm_(friction_Nm) {
   if (fixed.actuator.thermal) heat_.emplace(fixed.actuator);
   const double open_V = open_circuit_voltage_V(fixed.actuator, options.conditions);
-  const actuator::PhaseModel model = fixed.levels->model(open_V, start_.winding_K);
+  const actuator::PhaseModel model = fixed.region->model(open_V, start_.winding_K);
   const double no_load_rad_s = no_load_speed_at_joint_rad_s(fixed.actuator, model);
   if (options.limits == DriveLimits::kBox) {
-    const actuator::Interval rest = fixed.levels->limits(open_V, start_.winding_K, 0.0);
+    const actuator::Interval rest = fixed.region->limits(open_V, start_.winding_K, 0.0);
     box_ = box_of(std::max(-rest.least_Nm, rest.greatest_Nm), no_load_rad_s);
   }
   if (has_felt_effects(fixed.actuator)) joint_.emplace(fixed.actuator, joint_options(fixed));
@@ -104,7 +104,7 @@ void WorkingDrive::want(double wanted_Nm, double output_speed_rad_s) {
   wanted_Nm_ = wanted_Nm;
   output_speed_rad_s_ = output_speed_rad_s;
   speed_rad_s_ = joint_ ? joint_->motor_speed_rad_s(output_speed_rad_s) : output_speed_rad_s;
-  model_ = fixed_->levels->model(0.0, nodes_.winding_K);
+  model_ = fixed_->region->model(0.0, nodes_.winding_K);
   is_loaded_ = false;
 }
 
@@ -115,7 +115,7 @@ void WorkingDrive::hold(double bus_V) {
   }
   const actuator::Interval limits =
       box_ ? actuator::limits(box_->view(), speed_rad_s_)
-           : fixed_->levels->limits(bus_V, nodes_.winding_K, speed_rad_s_);
+           : fixed_->region->limits(bus_V, nodes_.winding_K, speed_rad_s_);
   held_Nm_ = torquewright_clamp(wanted_Nm_, limits);
   if (is_loaded_ && held_Nm_ == made_Nm_ && is_same_current(bus_V)) return;
   load(held_Nm_, bus_V);

@@ -5,9 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "actuator/conditions/held_region.hpp"
 #include "actuator/heat/heat_model.hpp"
+#include "actuator/region/clip_table.hpp"
 #include "hopper/replay/powered_drive_options.hpp"
-#include "hopper/replay/region_levels.hpp"
 #include "simulation/in_engine/joint_in_engine.hpp"
 
 namespace torquewright::hopper {
@@ -19,7 +20,7 @@ struct FixedDrive {
   double turned_kg_m2 = 0.0;  ///< Inertia of rotor and gears, at the output.
   /// Whether the engine turns them with the output; else an elastic train has them to itself.
   bool turns_with_output = true;
-  std::shared_ptr<const RegionLevels> levels;
+  std::shared_ptr<const actuator::HeldRegion> region;
 };
 
 /// One drive during one step: a torque is wanted of it, a voltage holds it to a bound, it takes a

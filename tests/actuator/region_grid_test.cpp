@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: the region, computed at every condition that is asked for.
-#include "actuator/region/region_grid.hpp"
+#include "actuator/conditions/region_grid.hpp"
 
 #include <gtest/gtest.h>
 

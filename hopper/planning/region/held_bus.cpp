@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/planning/region/held_bus.hpp"
 
-#include <algorithm>
+#include <utility>
+
+#include "actuator/conditions/held_region.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
 using actuator::Actuator;
 using actuator::kUnlimited;
-
-void drop_sag(Actuator& actuator) {
-  std::erase_if(actuator.effects, [](const actuator::Effect& effect) {
-    return effect.kind->acts == actuator::Acts::kBusVoltage;
-  });
-}
 
 }  // namespace
 
@@ -28,7 +24,7 @@ HeldBus::HeldBus(const Actuator& actuator, const actuator::OperatingConditions& 
   if (shares_battery) {
     actuator_.battery.reset();
   } else {
-    drop_sag(actuator_);
+    actuator_ = without_voltage_sag(std::move(actuator_));
   }
   held_ = phase_model_at(held_at(open_circuit_V()), conditions_);
 }
@@ -42,6 +38,7 @@ actuator::PhaseModel HeldBus::model_at(double bus_V) const {
 actuator::JointRange HeldBus::range(double bus_V, double speed_rad_s) const {
   actuator::OperatingConditions conditions = conditions_;
   conditions.bus_voltage_V = bus_V;
+  if (!actuator_.battery) return range_at(actuator_, conditions, speed_rad_s);
   return range_at(held_at(bus_V), conditions, speed_rad_s);
 }
 

@@ -11,7 +11,7 @@ class HeldBus {
  public:
   /// Requires that there are no objections. `shares_battery`: others load the same battery; then a
   /// voltage_sag of the actuator's own comes on top of the bus's, and the battery's limits of power
-  /// are the bus's, not the drive's (actuator::BusLevels).
+  /// are the bus's, not the drive's (actuator::HeldRegion).
   HeldBus(const actuator::Actuator& actuator, const actuator::OperatingConditions& conditions,
           bool shares_battery);
 

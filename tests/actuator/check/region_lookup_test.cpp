@@ -36,7 +36,7 @@ Actuator curved_actuator() {
 TEST(RegionLookup, JudgesAsTheRegionItselfDoes) {
   for (const Actuator& actuator : {test::simple_actuator(), curved_actuator()}) {
     const RegionLookup lookup(actuator, {});
-    const double end_rad_s = lookup.region().greatest_speed_rad_s();
+    const double end_rad_s = lookup.greatest_speed_rad_s();
     std::mt19937 random(3);
     std::uniform_real_distribution<double> share(-1.0, 1.0);
     int outside = 0;
@@ -61,7 +61,7 @@ TEST(RegionLookup, JudgesAsTheRegionItselfDoes) {
 // Oracle: the region itself, which has no row to look up beyond the table's ends.
 TEST(RegionLookup, AsksTheRegionBeyondItsTable) {
   const RegionLookup lookup(test::simple_actuator(), {});
-  const double beyond_rad_s = 1.5 * lookup.region().greatest_speed_rad_s();
+  const double beyond_rad_s = 1.5 * lookup.greatest_speed_rad_s();
   for (const double speed_rad_s : {-beyond_rad_s, beyond_rad_s}) {
     EXPECT_EQ(lookup.near(speed_rad_s).is_empty, lookup.exact(speed_rad_s).is_empty);
   }
@@ -94,7 +94,7 @@ TEST(RegionLookup, SpeedMarginIsTheDistanceToTheVoltageLine) {
 // Oracle: the search that is not cut short.
 TEST(RegionLookup, SpeedMarginEndsWhereItIsKnownToBeNoLess) {
   const RegionLookup lookup(curved_actuator(), {});
-  const double greatest_rad_s = lookup.region().greatest_speed_rad_s();
+  const double greatest_rad_s = lookup.greatest_speed_rad_s();
   std::mt19937 random(7);
   std::uniform_real_distribution<double> share(-1.5, 1.5);
   for (int i = 0; i < 2000; ++i) {
@@ -111,12 +111,12 @@ TEST(RegionLookup, ComparesSpeedMarginsAsItComputesThem) {
   std::mt19937 random(4);
   std::uniform_real_distribution<double> share(-1.0, 1.0);
   for (int i = 0; i < 500; ++i) {
-    const double speed_rad_s = lookup.region().greatest_speed_rad_s() * share(random);
+    const double speed_rad_s = lookup.greatest_speed_rad_s() * share(random);
     const double torque_Nm = 25.0 * share(random);
     const double margin_rad_s = lookup.speed_margin_rad_s(speed_rad_s, torque_Nm);
     if (!std::isfinite(margin_rad_s)) continue;
     EXPECT_FALSE(lookup.has_less_speed_margin(speed_rad_s, torque_Nm, margin_rad_s - 1e-3));
-    if (std::abs(speed_rad_s) + margin_rad_s + 1e-3 > lookup.region().greatest_speed_rad_s())
+    if (std::abs(speed_rad_s) + margin_rad_s + 1e-3 > lookup.greatest_speed_rad_s())
       continue;
     EXPECT_TRUE(lookup.has_less_speed_margin(speed_rad_s, torque_Nm, margin_rad_s + 1e-3));
   }

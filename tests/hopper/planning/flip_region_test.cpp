@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a plan may ask of a drive. Oracle, unless a test names another: actuator::Region at the bus
-// voltages of actuator::BusLevels, by which `hopper check` judges, on grids that share no place
-// with those of the fit.
+// What a plan may ask of a drive. Oracle, unless a test names another: actuator::Region with the
+// bus held at a voltage, by which `hopper check` judges, on grids that share no place with those of
+// the fit.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "actuator/check/bus_levels.hpp"
 #include "actuator/check/demand.hpp"
 #include "actuator/motor/actuator_spec.hpp"
 #include "hopper/planning/region/drive_region.hpp"
@@ -176,13 +175,15 @@ class DriveWithEffects : public testing::TestWithParam<Case> {
 
   void SetUp() override { region.emplace(drive, actuator::OperatingConditions{}, kShared); }
 
-  /// Calls `at(bus_V, speed, true range)`, of motor and teeth; voltages are BusLevels' own.
+  /// Calls `at(bus_V, speed, true range)`, of motor and teeth.
   template <typename At>
   void over_the_grid(const At& at) {
-    actuator::BusLevels levels(drive, {});
+    Actuator held = drive;
+    held.battery.reset();
     const double fastest_rad_s = 3.1 * region->greatest_speed_rad_s();
     for (const double share : {0.45, 0.617, 0.783, 0.95, 1.0, 1.151, 1.289}) {
-      const actuator::Region truth(*levels.at(share * open_V).actuator, {});
+      held.drive.bus_voltage_V = share * open_V;
+      const actuator::Region truth(held, {});
       for (int i = -170; i <= 170; ++i) {
         const double speed_rad_s = fastest_rad_s * i / 170.0 * std::abs(i / 170.0);
         is_at_nose = truth.at((1.0 + PlannedRegion::kNose) * speed_rad_s).is_empty;

@@ -13,7 +13,7 @@
 
 #include "actuator/check/demand.hpp"
 #include "actuator/heat/heat_model.hpp"
-#include "hopper/replay/region_levels.hpp"
+#include "actuator/region/mor_table.hpp"
 #include "io/faults/spec_error.hpp"
 #include "tests/hopper/replay/driven_robot.hpp"
 

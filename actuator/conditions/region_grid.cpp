@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/region/region_grid.hpp"
+#include "actuator/conditions/region_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -152,15 +152,24 @@ double speed_at(const std::vector<double>& corners_rad_s, double place) {
   return std::lerp(corners_rad_s[i], corners_rad_s[i + 1], place - corner);
 }
 
-/// Where a speed lies; speeds beyond the ends at the ends.
-double place_of(const std::vector<double>& corners_rad_s, double speed_rad_s) {
-  const std::size_t corners = corners_rad_s.size();
-  const auto after = std::upper_bound(corners_rad_s.begin(), corners_rad_s.end(), speed_rad_s);
-  const auto passed = static_cast<std::size_t>(after - corners_rad_s.begin());
-  const std::size_t i = std::clamp<std::size_t>(passed, 1, corners - 1) - 1;
-  const double width_rad_s = corners_rad_s[i + 1] - corners_rad_s[i];
-  const double share = width_rad_s > 0.0 ? (speed_rad_s - corners_rad_s[i]) / width_rad_s : 0.0;
+/// Where a speed lies among ascending corners, of which the number i is `corner(i)`; speeds beyond
+/// the ends at the ends.
+template <typename Corner>
+double place_among(std::size_t corners, const Corner& corner, double speed_rad_s) {
+  std::size_t i = 0;
+  for (std::size_t end = corners - 1; end - i > 1;) {
+    const std::size_t middle = i + (end - i) / 2;
+    (corner(middle) <= speed_rad_s ? i : end) = middle;
+  }
+  const double begin_rad_s = corner(i);
+  const double width_rad_s = corner(i + 1) - begin_rad_s;
+  const double share = width_rad_s > 0.0 ? (speed_rad_s - begin_rad_s) / width_rad_s : 0.0;
   return static_cast<double>(i) + std::clamp(share, 0.0, 1.0);
+}
+
+double place_of(const std::vector<double>& corners_rad_s, double speed_rad_s) {
+  const auto corner = [&](std::size_t i) { return corners_rad_s[i]; };
+  return place_among(corners_rad_s.size(), corner, speed_rad_s);
 }
 
 void add_rows(const Corners& corners, const MorTable& table, std::vector<double>& places) {
@@ -253,58 +262,70 @@ Between between(const std::vector<double>& ascending, double value) {
   return {i, std::clamp((value - ascending[i]) / (ascending[i + 1] - ascending[i]), 0.0, 1.0)};
 }
 
-/// Conditions to be mixed, and how much of each.
-struct Mixture {
-  std::size_t condition[4];
-  double weight[4];
+std::size_t cells_of(const std::vector<double>& axis) {
+  return std::max<std::size_t>(axis.size(), 2) - 1;
+}
+
+/// A number of every condition, mixed as the cell says.
+class Mixed {
+ public:
+  Mixed(const std::vector<std::vector<double>>& of, const GridCell& cell) : cell_(cell) {
+    for (std::size_t k = 0; k < cell.conditions; ++k) values_[k] = of[cell.number[k]].data();
+  }
+
+  double operator()(std::size_t i) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < cell_.conditions; ++k) sum += cell_.weight[k] * values_[k][i];
+    return sum;
+  }
+
+ private:
+  const GridCell& cell_;
+  std::array<const double*, 4> values_;
 };
 
-Mixture mixture(const RegionGrid& grid, double voltage_V, double temperature_K) {
-  const Between v = between(grid.voltages_V, voltage_V);
-  const Between t = between(grid.temperatures_K, temperature_K);
-  const std::size_t columns = grid.temperatures_K.size();
-  const std::size_t next_v = grid.voltages_V.size() > 1 ? v.i + 1 : 0;
-  const std::size_t next_t = columns > 1 ? t.i + 1 : 0;
-  return {{v.i * columns + t.i, v.i * columns + next_t, next_v * columns + t.i,
-           next_v * columns + next_t},
-          {(1.0 - v.share) * (1.0 - t.share), (1.0 - v.share) * t.share, v.share * (1.0 - t.share),
-           v.share * t.share}};
-}
-
-double mixed(const std::vector<std::vector<double>>& of, const Mixture& mixture, std::size_t i) {
-  double sum = 0.0;
-  for (int k = 0; k < 4; ++k) sum += mixture.weight[k] * of[mixture.condition[k]][i];
-  return sum;
-}
-
-double torque_at_place_Nm(const GridBound& bound, const Mixture& mixture, double place) {
+double torque_at_place_Nm(const GridBound& bound, const GridCell& cell, double place) {
   const auto after = std::upper_bound(bound.places.begin(), bound.places.end(), place);
   const auto passed = static_cast<std::size_t>(after - bound.places.begin());
   const std::size_t i = std::clamp<std::size_t>(passed, 1, bound.places.size() - 1) - 1;
   const double share = (place - bound.places[i]) / (bound.places[i + 1] - bound.places[i]);
-  return std::lerp(mixed(bound.torques_Nm, mixture, i), mixed(bound.torques_Nm, mixture, i + 1),
-                   share);
+  const Mixed torque_Nm(bound.torques_Nm, cell);
+  return std::lerp(torque_Nm(i), torque_Nm(i + 1), share);
 }
 
 /// Of one direction where the speed is 0 (-1, 1).
-double bound_Nm(const GridBound& bound, const Mixture& mixture, double speed_rad_s,
+double bound_Nm(const GridBound& bound, const GridCell& cell, double speed_rad_s,
                 double direction) {
-  std::vector<double> corners_rad_s;
-  for (std::size_t i = 0; i < bound.corners_rad_s[0].size(); ++i) {
-    corners_rad_s.push_back(mixed(bound.corners_rad_s, mixture, i));
-  }
-  double place = place_of(corners_rad_s, speed_rad_s);
+  const Mixed corner_rad_s(bound.corners_rad_s, cell);
+  double place = place_among(bound.corners_rad_s[0].size(), corner_rad_s, speed_rad_s);
   if (speed_rad_s == 0.0 && direction < 0.0) place -= 1.0;  // across the corners at rest
-  return torque_at_place_Nm(bound, mixture, place);
+  return torque_at_place_Nm(bound, cell, place);
+}
+
+/// Whether the speed lies between the places of one of the bound's jumps in the cell's conditions.
+bool may_jump(const GridBound& bound, const GridCell& cell, double speed_rad_s) {
+  return std::any_of(bound.jumps.begin(), bound.jumps.end(), [&](std::size_t corner) {
+    double least_rad_s = kUnlimited;
+    double greatest_rad_s = -kUnlimited;
+    for (std::size_t k = 0; k < cell.conditions; ++k) {
+      const std::vector<double>& corners_rad_s = bound.corners_rad_s[cell.number[k]];
+      least_rad_s = std::min(least_rad_s, corners_rad_s[corner]);
+      greatest_rad_s = std::max(greatest_rad_s, corners_rad_s[corner + 1]);
+    }
+    return least_rad_s <= speed_rad_s && speed_rad_s <= greatest_rad_s;
+  });
 }
 
 /// Whatever has been computed under a condition is kept.
 class GridBuilder {
  public:
-  GridBuilder(const Actuator& actuator, const OperatingConditions& conditions, Side side)
+  GridBuilder(const Actuator& actuator, const OperatingConditions& conditions, Side side,
+              GridTemperatures temperatures, GridErrors errors)
       : actuator_(actuator),
         conditions_(conditions),
         side_(side),
+        is_warmed_(temperatures == GridTemperatures::kFreezingToLimit && !actuator.envelope),
+        errors_(errors),
         voltage_V_(open_circuit_voltage_V(actuator, conditions)),
         temperature_K_(winding_temperature_K(actuator, conditions)) {}
 
@@ -318,6 +339,8 @@ class GridBuilder {
     refine(grid_.voltages_V, kMostVoltages, true);
     refine(grid_.temperatures_K, kMostTemperatures, false);
     if (!fill(grid_)) return std::nullopt;
+    grid_.least.jumps = jumps_of(stretches_of_least_);
+    grid_.greatest.jumps = jumps_of(stretches_of_greatest_);
     thin(grid_.least, kStraight * peak_torque_Nm_);
     thin(grid_.greatest, kStraight * peak_torque_Nm_);
     measure();
@@ -340,11 +363,22 @@ class GridBuilder {
     return Start{std::move(table), std::move(*outline)};
   }
 
+  static std::vector<std::size_t> jumps_of(const std::vector<Stretch>& stretches) {
+    std::vector<std::size_t> jumps;
+    for (std::size_t i = 0; i < stretches.size(); ++i) {
+      if (stretches[i] == kJump) jumps.push_back(i);
+    }
+    return jumps;
+  }
+
   double warm_K() const {
+    if (!is_warmed_) return temperature_K_;
     return std::max(temperature_K_,
                     actuator_.thermal ? actuator_.thermal->winding_limit_K : kWarm_K);
   }
-  double cold_K() const { return std::min(kFreezing_K, temperature_K_); }
+  double cold_K() const {
+    return is_warmed_ ? std::min(kFreezing_K, temperature_K_) : temperature_K_;
+  }
 
   /// The stretches of the first condition, or those of a far end of the grid that has more.
   void choose_places(const Start& here) {
@@ -379,7 +413,7 @@ class GridBuilder {
     OperatingConditions changed = conditions_;
     changed.bus_voltage_V = voltage_V;
     changed.state_of_charge.reset();
-    changed.winding_temperature_K = temperature_K;
+    if (!actuator_.envelope) changed.winding_temperature_K = temperature_K;
     if (!objections(actuator_, changed).empty()) return std::nullopt;
     return Region(actuator_, changed, side_);
   }
@@ -495,6 +529,7 @@ class GridBuilder {
     double torque_Nm = 0.0;
     double speed_rad_s = 0.0;
     double before_end_Nm = 0.0;
+    double beside_jumps_Nm = 0.0;
   };
 
   /// Greatest difference between the grid and the region under that condition.
@@ -503,15 +538,21 @@ class GridBuilder {
     const std::optional<Region> region = this->region(voltage_V, temperature_K);
     if (!region) return worst;
     const double end_rad_s = region->greatest_speed_rad_s();
+    const GridCell cell = cell_at(grid, voltage_V, temperature_K);
     for (int i = -kSpeedsCompared; i <= kSpeedsCompared; ++i) {
       const double speed_rad_s = end_rad_s * i / kSpeedsCompared;
       const JointRange range = region->at(speed_rad_s);
       if (range.is_empty) continue;
-      const Interval at = limits(grid, speed_rad_s, voltage_V, temperature_K);
+      const Interval at = limits(grid, cell, speed_rad_s);
       const double error_Nm = std::max(std::abs(at.least_Nm - range.least.torque_Nm),
                                        std::abs(at.greatest_Nm - range.greatest.torque_Nm));
       const bool is_before_end = std::abs(speed_rad_s) <= kBeforeEnd * end_rad_s;
-      if (is_before_end) worst.before_end_Nm = std::max(worst.before_end_Nm, error_Nm);
+      if (is_before_end) {
+        worst.before_end_Nm = std::max(worst.before_end_Nm, error_Nm);
+        if (error_Nm > worst.beside_jumps_Nm && !may_jump(grid, cell, speed_rad_s)) {
+          worst.beside_jumps_Nm = error_Nm;
+        }
+      }
       if (error_Nm <= worst.torque_Nm) continue;
       worst.torque_Nm = error_Nm;
       worst.speed_rad_s = speed_rad_s;
@@ -519,31 +560,42 @@ class GridBuilder {
     return worst;
   }
 
-  /// Between the conditions of every cell, in quarters.
+  /// Between the conditions of every cell.
   void measure() {
-    const auto quarters = [](const std::vector<double>& axis) {
+    const std::vector<double> shares = errors_ == GridErrors::kAtQuarters
+                                           ? std::vector<double>{0.25, 0.5, 0.75}
+                                           : std::vector<double>{0.5};
+    const auto parts = [&](const std::vector<double>& axis) {
       std::vector<double> all;
       for (std::size_t i = 0; i + 1 < axis.size(); ++i) {
-        for (const double share : {0.25, 0.5, 0.75}) {
+        for (const double share : shares) {
           all.push_back(std::lerp(axis[i], axis[i + 1], share));
         }
       }
       return all.empty() ? axis : all;
     };
-    for (const double voltage_V : quarters(grid_.voltages_V)) {
-      for (const double temperature_K : quarters(grid_.temperatures_K)) {
-        const Error found = error(grid_, voltage_V, temperature_K);
-        grid_.error_before_end_Nm = std::max(grid_.error_before_end_Nm, found.before_end_Nm);
-        if (found.torque_Nm <= grid_.error_Nm) continue;
-        grid_.error_Nm = found.torque_Nm;
-        grid_.error_speed_rad_s = found.speed_rad_s;
+    grid_.cell_errors_Nm.assign(cells_of(grid_.voltages_V) * cells_of(grid_.temperatures_K), 0.0);
+    for (const double voltage_V : parts(grid_.voltages_V)) {
+      for (const double temperature_K : parts(grid_.temperatures_K)) {
+        note(error(grid_, voltage_V, temperature_K),
+             grid_.cell_errors_Nm[cell_at(grid_, voltage_V, temperature_K).cell]);
       }
     }
+  }
+
+  void note(const Error& found, double& of_cell_Nm) {
+    of_cell_Nm = std::max(of_cell_Nm, found.beside_jumps_Nm);
+    grid_.error_before_end_Nm = std::max(grid_.error_before_end_Nm, found.before_end_Nm);
+    if (found.torque_Nm <= grid_.error_Nm) return;
+    grid_.error_Nm = found.torque_Nm;
+    grid_.error_speed_rad_s = found.speed_rad_s;
   }
 
   const Actuator& actuator_;
   OperatingConditions conditions_;
   Side side_;
+  bool is_warmed_;
+  GridErrors errors_;
   double voltage_V_;
   double temperature_K_;
   std::vector<Stretch> stretches_of_least_;
@@ -557,21 +609,63 @@ class GridBuilder {
 }  // namespace
 
 std::optional<RegionGrid> region_grid(const Actuator& actuator,
-                                      const OperatingConditions& conditions, Side side) {
+                                      const OperatingConditions& conditions, Side side,
+                                      GridTemperatures temperatures, GridErrors errors) {
   // A curve that states no voltage is the same at any.
   if (actuator.envelope && !actuator.envelope->voltage_V) return std::nullopt;
-  return GridBuilder(actuator, conditions, side).run();
+  return GridBuilder(actuator, conditions, side, temperatures, errors).run();
+}
+
+bool reaches(const RegionGrid& grid, double voltage_V, double temperature_K) {
+  return voltage_V >= grid.voltages_V.front() && voltage_V <= grid.voltages_V.back() &&
+         temperature_K >= grid.temperatures_K.front() &&
+         temperature_K <= grid.temperatures_K.back();
+}
+
+GridCell cell_at(const RegionGrid& grid, double voltage_V, double temperature_K) {
+  const Between v = between(grid.voltages_V, voltage_V);
+  const Between t = between(grid.temperatures_K, temperature_K);
+  const std::size_t columns = grid.temperatures_K.size();
+  GridCell cell;
+  cell.cell = v.i * cells_of(grid.temperatures_K) + t.i;
+  const auto add = [&](std::size_t at_v, std::size_t at_t, double weight) {
+    if (weight == 0.0) return;
+    cell.number[cell.conditions] = at_v * columns + at_t;
+    cell.weight[cell.conditions++] = weight;
+  };
+  add(v.i, t.i, (1.0 - v.share) * (1.0 - t.share));
+  add(v.i, t.i + 1, (1.0 - v.share) * t.share);
+  add(v.i + 1, t.i, v.share * (1.0 - t.share));
+  add(v.i + 1, t.i + 1, v.share * t.share);
+  return cell;
+}
+
+Interval limits(const RegionGrid& grid, const GridCell& cell, double speed_rad_s) {
+  Interval interval{bound_Nm(grid.least, cell, speed_rad_s, 1.0),
+                    bound_Nm(grid.greatest, cell, speed_rad_s, 1.0)};
+  if (speed_rad_s != 0.0) return interval;
+  interval.least_Nm = std::min(interval.least_Nm, bound_Nm(grid.least, cell, 0.0, -1.0));
+  interval.greatest_Nm = std::max(interval.greatest_Nm, bound_Nm(grid.greatest, cell, 0.0, -1.0));
+  return interval;
 }
 
 Interval limits(const RegionGrid& grid, double speed_rad_s, double voltage_V,
                 double temperature_K) {
-  const Mixture at = mixture(grid, voltage_V, temperature_K);
-  Interval interval{bound_Nm(grid.least, at, speed_rad_s, 1.0),
-                    bound_Nm(grid.greatest, at, speed_rad_s, 1.0)};
-  if (speed_rad_s != 0.0) return interval;
-  interval.least_Nm = std::min(interval.least_Nm, bound_Nm(grid.least, at, 0.0, -1.0));
-  interval.greatest_Nm = std::max(interval.greatest_Nm, bound_Nm(grid.greatest, at, 0.0, -1.0));
-  return interval;
+  return limits(grid, cell_at(grid, voltage_V, temperature_K), speed_rad_s);
+}
+
+bool may_jump(const RegionGrid& grid, const GridCell& cell, double speed_rad_s) {
+  return may_jump(grid.least, cell, speed_rad_s) || may_jump(grid.greatest, cell, speed_rad_s);
+}
+
+double end_rad_s(const RegionGrid& grid, const GridCell& cell) {
+  double end_rad_s = kUnlimited;
+  for (const GridBound* bound : {&grid.least, &grid.greatest}) {
+    const Mixed corner_rad_s(bound->corners_rad_s, cell);
+    end_rad_s =
+        std::min({end_rad_s, -corner_rad_s(0), corner_rad_s(bound->corners_rad_s[0].size() - 1)});
+  }
+  return end_rad_s;
 }
 
 }  // namespace torquewright::actuator
