@@ -31,6 +31,18 @@ double furthest_K(const Actuator& on_bus, Rating rating, double from_K, double t
   return from_K;
 }
 
+/// Whether the speed lies in the last part of those in the cell. Few do, so that the slowest end of
+/// its conditions is asked first.
+bool is_near_end(const RegionGrid& grid, const GridCell& cell, double speed_rad_s) {
+  const double before_rad_s = std::abs(speed_rad_s) / RegionGrid::kBeforeEnd;
+  for (std::size_t k = 0; k < cell.conditions; ++k) {
+    const std::vector<double>& corners_rad_s = grid.greatest.corners_rad_s[cell.number[k]];
+    if (before_rad_s <= std::min(-corners_rad_s.front(), corners_rad_s.back())) continue;
+    return before_rad_s > end_rad_s(grid, cell);
+  }
+  return false;
+}
+
 }  // namespace
 
 Actuator without_voltage_sag(Actuator actuator) {
@@ -118,8 +130,7 @@ double HeldRegion::greatest_speed_rad_s(double bus_V, double winding_K) const {
 std::optional<Interval> HeldRegion::tabulated(double bus_V, double winding_K,
                                               double speed_rad_s) const {
   const std::optional<GridCell> cell = this->cell(bus_V, winding_K);
-  if (!cell || may_jump(*grid_, *cell, speed_rad_s)) return std::nullopt;
-  if (std::abs(speed_rad_s) > RegionGrid::kBeforeEnd * end_rad_s(*grid_, *cell)) {
+  if (!cell || may_jump(*grid_, *cell, speed_rad_s) || is_near_end(*grid_, *cell, speed_rad_s)) {
     return std::nullopt;
   }
   return actuator::limits(*grid_, *cell, speed_rad_s);
@@ -128,11 +139,10 @@ std::optional<Interval> HeldRegion::tabulated(double bus_V, double winding_K,
 Interval HeldRegion::limits(double bus_V, double winding_K, double speed_rad_s) const {
   if (!(bus_V > 0.0)) return kNothing;
   const std::optional<GridCell> cell = this->cell(bus_V, winding_K);
-  const double end_rad_s = cell ? actuator::end_rad_s(*grid_, *cell) : kUnlimited;
-  const double speed_of_end = std::abs(speed_rad_s) / end_rad_s;
-  const bool is_near_end = speed_of_end > RegionGrid::kBeforeEnd && speed_of_end < 1.0;
-  if (cell && !is_near_end && !may_jump(*grid_, *cell, speed_rad_s)) {
-    return actuator::limits(*grid_, *cell, speed_rad_s);
+  if (cell && !may_jump(*grid_, *cell, speed_rad_s)) {
+    const bool is_told = !is_near_end(*grid_, *cell, speed_rad_s) ||
+                         std::abs(speed_rad_s) >= end_rad_s(*grid_, *cell);
+    if (is_told) return actuator::limits(*grid_, *cell, speed_rad_s);
   }
   JointRange range = exact(bus_V, winding_K, speed_rad_s);
   if (range.is_empty) {

@@ -270,13 +270,14 @@ std::size_t cells_of(const std::vector<double>& axis) {
 class Mixed {
  public:
   Mixed(const std::vector<std::vector<double>>& of, const GridCell& cell) : cell_(cell) {
-    for (std::size_t k = 0; k < cell.conditions; ++k) values_[k] = of[cell.number[k]].data();
+    for (std::size_t k = 0; k < 4; ++k) values_[k] = of[cell.number[k]].data();
   }
 
   double operator()(std::size_t i) const {
-    double sum = 0.0;
-    for (std::size_t k = 0; k < cell_.conditions; ++k) sum += cell_.weight[k] * values_[k][i];
-    return sum;
+    const std::array<double, 4>& share = cell_.weight;
+    const double two = share[0] * values_[0][i] + share[1] * values_[1][i];
+    if (cell_.conditions <= 2) return two;  // as mostly, where no temperature is asked for
+    return two + share[2] * values_[2][i] + share[3] * values_[3][i];
   }
 
  private:
@@ -626,7 +627,7 @@ GridCell cell_at(const RegionGrid& grid, double voltage_V, double temperature_K)
   const Between v = between(grid.voltages_V, voltage_V);
   const Between t = between(grid.temperatures_K, temperature_K);
   const std::size_t columns = grid.temperatures_K.size();
-  GridCell cell;
+  GridCell cell{};  // what is left has no share
   cell.cell = v.i * cells_of(grid.temperatures_K) + t.i;
   const auto add = [&](std::size_t at_v, std::size_t at_t, double weight) {
     if (weight == 0.0) return;

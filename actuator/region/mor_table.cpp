@@ -11,6 +11,9 @@ namespace {
 constexpr int kFirstIntervals = 24;         // of each side, before any refinement
 constexpr double kCornerTolerance = 1e-13;  // of the greatest speed
 constexpr int kDeepestSplit = 40;  // halvings of one interval: a tip is as steep as a root at 0
+// Rows of one interval, times the root of the accuracy, to which smooth bounds take some tenths:
+// where a bound scatters (as a search finds it, close to a nose) no number of rows is accurate.
+constexpr double kMostRowsTimesRoot = 10.0;
 
 /// What stays the same between two corners.
 struct Character {
@@ -62,7 +65,7 @@ class HalfTable {
       rows_.push_back(row(end_rad_s * i / kFirstIntervals));
     insert_corners();
     for (const MorRow& entry : rows_) peak_Nm = std::max(peak_Nm, magnitude(entry));
-    refine(accuracy * peak_Nm);
+    refine(accuracy * peak_Nm, static_cast<std::size_t>(kMostRowsTimesRoot / std::sqrt(accuracy)));
     error_Nm = std::max(error_Nm, error_Nm_);
     return std::move(rows_);
   }
@@ -108,7 +111,7 @@ class HalfTable {
     return {near, far};
   }
 
-  void refine(double allowed_Nm) {
+  void refine(double allowed_Nm, std::size_t most_rows) {
     std::vector<MorRow> all{rows_.front()};
     for (std::size_t i = 1; i < rows_.size(); ++i) {
       const MorRow near = all.back();
@@ -117,7 +120,8 @@ class HalfTable {
       if (is_corner) {
         all.push_back(rows_[i]);
       } else {
-        split(all, near, middle_of(near, rows_[i]), rows_[i], {allowed_Nm, kDeepestSplit});
+        split(all, near, middle_of(near, rows_[i]), rows_[i],
+              {allowed_Nm, kDeepestSplit, all.size() + most_rows});
       }
     }
     rows_ = std::move(all);
@@ -130,6 +134,7 @@ class HalfTable {
   struct Allowance {
     double error_Nm;
     int splits_left;
+    std::size_t rows;  ///< At most, with those before the interval.
   };
 
   /// Adds the rows after `near` up to `far`. The probes at a quarter and three quarters are the
@@ -141,7 +146,7 @@ class HalfTable {
     const double error_Nm =
         std::max({miss_Nm(near, first, far), miss_Nm(near, middle, far), miss_Nm(near, last, far)});
     // Nothing is gained where torques have no bound.
-    if (!(error_Nm > allowed.error_Nm) || allowed.splits_left == 0) {
+    if (!(error_Nm > allowed.error_Nm) || allowed.splits_left == 0 || all.size() >= allowed.rows) {
       error_Nm_ = std::max(error_Nm_, error_Nm);
       all.push_back(far);
       return;

@@ -77,6 +77,15 @@ TEST(MorTable, HasTwoRowsAtRestWhereOneBoundJumps) {
   EXPECT_EQ((first + 1)->range.least.torque_Nm, first->range.least.torque_Nm);
 }
 
+// At half of its voltage the search's bound of this drive scatters by 0.1 Nm close to a nose: no
+// number of rows is accurate, and without an end to them there were minutes of halvings.
+TEST(MorTable, EndsWhereABoundScatters) {
+  const Actuator actuator = random_actuator(39, {true, true, true});
+  const double half_V = 0.5 * open_circuit_voltage_V(actuator, {});
+  const MorTable table = mor_table(Region(actuator, {Rating::kPeak, half_V, {}, {}}), 5e-4);
+  EXPECT_LT(table.rows.size(), 3000u);
+}
+
 // Oracle: the region itself at 997 speeds that the table was not refined at; the contract's 0.1 %.
 TEST(MorTable, InterpolatesWithinItsStatedAccuracy) {
   for (unsigned seed = 0; seed < 60; ++seed) {
