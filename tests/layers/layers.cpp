@@ -17,21 +17,23 @@ using Folders = std::set<std::string, std::less<>>;
 
 /// Which folders the files of each may include, besides its own:
 /// python -> src -> hopper, identification -> robot, simulation -> actuator, dynamics -> gearbox ->
-/// optimization; io for all.
+/// optimization; learning -> hopper; io for all.
 const std::map<std::string, Folders, std::less<>> kMayInclude = {
     {"io", {}},
     {"optimization", {"io"}},
+    {"learning", {"io"}},
     {"gearbox", {"io", "optimization"}},
     {"actuator", {"io", "optimization", "gearbox"}},
     {"dynamics", {"io", "optimization", "gearbox"}},
     {"robot", {"io", "optimization", "gearbox", "actuator", "dynamics"}},
     {"simulation", {"io", "optimization", "gearbox", "actuator", "dynamics"}},
-    {"hopper", {"io", "optimization", "gearbox", "actuator", "dynamics", "robot", "simulation"}},
+    {"hopper",
+     {"io", "optimization", "learning", "gearbox", "actuator", "dynamics", "robot", "simulation"}},
     {"identification",
      {"io", "optimization", "gearbox", "actuator", "dynamics", "robot", "simulation"}},
     {"src",
-     {"io", "optimization", "gearbox", "actuator", "dynamics", "robot", "simulation", "hopper",
-      "identification"}},
+     {"io", "optimization", "learning", "gearbox", "actuator", "dynamics", "robot", "simulation",
+      "hopper", "identification"}},
     {"python", {"io", "actuator", "src"}},
 };
 
@@ -46,6 +48,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"documents", {"faults", "files", "text"}}}},
     {"optimization",
      {{"expressions", {}}, {"discrete", {"expressions"}}, {"fit", {}}, {"nonlinear", {}}}},
+    {"learning", {{"network", {}}, {"training", {"network"}}}},
     {"gearbox",
      {{"teeth", {}},
       {"train", {"teeth"}},
@@ -98,6 +101,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"calibration", {}},
       {"variation", {}},
       {"engines", {}},
+      {"policy", {}},
       {"surroundings", {}},
       {"tracking", {"contact", "motion"}},
       {"record", {"check", "tracking"}},

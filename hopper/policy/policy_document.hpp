@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "learning/network/policy.hpp"
+
+namespace torquewright::hopper {
+
+/// A number that a policy sees.
+struct PolicyInput {
+  std::string name;     ///< What it is: base_pitch_sin, knee_rad, knee_target_rad.
+  std::string unit;     ///< "1": none.
+  int delay_steps = 0;  ///< As it was so many control periods ago.
+};
+
+/// A number that a policy asks for: offset + scale * the network's output.
+struct PolicyOutput {
+  std::string name;  ///< knee_target_rad
+  std::string unit;
+  double offset = 0.0;
+  double scale = 1.0;
+};
+
+/// The PD law of a drive between two of the policy's actions.
+struct PolicyGain {
+  std::string drive;
+  double stiffness_Nm_rad = 0.0;
+  double damping_Nm_s_rad = 0.0;
+};
+
+/// A file that the policy was trained with.
+struct TrainedWith {
+  std::string path;    ///< As it was named then.
+  std::string sha256;  ///< Of its bytes.
+};
+
+/// A policy with all that is needed to use it: `kind: policy`.
+struct PolicyDocument {
+  std::string task;  ///< flip, hop, stand; empty: not stated.
+  learning::Policy policy;
+  std::vector<PolicyInput> inputs;    ///< As many as the policy has, in its order.
+  std::vector<PolicyOutput> outputs;  ///< The same.
+  std::vector<PolicyGain> gains;
+  double control_period_s = 0.0;  ///< 0: not stated.
+  std::string limits;  ///< What held its drives in training: mor, box; empty: not stated.
+  std::vector<TrainedWith> trained_with;
+  std::string sha256;  ///< Of the file it was read from; empty: it was not.
+};
+
+}  // namespace torquewright::hopper

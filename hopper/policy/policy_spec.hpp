@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "hopper/policy/policy_document.hpp"
+
+namespace torquewright::hopper {
+
+/// Reads a `kind: policy` file. Throws io::SpecError where it is none, or its layers, inputs and
+/// outputs do not fit together.
+PolicyDocument read_policy(const std::filesystem::path& file);
+
+/// The document as text. Decimals are the shortest that give the same numbers again, so that what
+/// is read back is the same policy to the bit. Requires a policy without objection.
+std::string policy_text(const PolicyDocument& document);
+
+}  // namespace torquewright::hopper
