@@ -48,7 +48,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"documents", {"faults", "files", "text"}}}},
     {"optimization",
      {{"expressions", {}}, {"discrete", {"expressions"}}, {"fit", {}}, {"nonlinear", {}}}},
-    {"learning", {{"network", {}}, {"training", {"network"}}}},
+    {"learning", {{"formulas", {}}, {"network", {}}, {"training", {"formulas", "network"}}}},
     {"gearbox",
      {{"teeth", {}},
       {"train", {"teeth"}},
