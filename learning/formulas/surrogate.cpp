@@ -56,7 +56,8 @@ SurrogateSums surrogate_of(const ActionSamples& samples,
     const double slope = is_flat ? 0.0 : -weight * ratio * advantage;
     for (Eigen::Index i = 0; i < means.rows(); ++i) {
       const double narrow = std::exp(-log_deviations(i));
-      const double is = (samples.actions(i, j) - means(i, j)) * narrow;
+      const double action = samples.actions(i, j);
+      const double is = (action - means(i, j)) * narrow;
       mean_errors(i, j) = static_cast<float>(slope * is * narrow);
       log_deviation_errors(i) += slope * (is * is - 1.0);
     }

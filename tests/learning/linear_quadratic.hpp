@@ -15,9 +15,9 @@ struct LinearQuadratic {
   Eigen::Matrix2d Q{{1.0, 0.0}, {0.0, 0.1}};
   double R = 0.1;
   double discount = 0.95;
-  int steps = 40;             ///< Then the time is up.
-  bool is_split = false;      ///< Two heads: states, and actions.
-  bool hides_speed = false;   ///< The actor sees where it is and was, the critic the speed as well.
+  int steps = 40;            ///< Then the time is up.
+  bool is_split = false;     ///< Two heads: states, and actions.
+  bool hides_speed = false;  ///< The actor sees where it is and was, the critic the speed as well.
 };
 
 /// u = -K x of the greatest discounted sum without end, by iterating Riccati's equation.
