@@ -38,15 +38,20 @@ struct TrainedWith {
 
 /// A policy with all that is needed to use it: `kind: policy`.
 struct PolicyDocument {
+  std::string name;  ///< May be empty.
   std::string task;  ///< flip, hop, stand; empty: not stated.
   learning::Policy policy;
   std::vector<PolicyInput> inputs;    ///< As many as the policy has, in its order.
   std::vector<PolicyOutput> outputs;  ///< The same.
-  std::vector<PolicyGain> gains;
-  double control_period_s = 0.0;  ///< 0: not stated.
+  std::vector<PolicyGain> gains;      ///< In the order of the drives' names.
+  double control_period_s = 0.0;
   std::string limits;  ///< What held its drives in training: mor, box; empty: not stated.
   std::vector<TrainedWith> trained_with;
-  std::string sha256;  ///< Of the file it was read from; empty: it was not.
+  std::string file;    ///< As it was named, where it was read from a file.
+  std::string sha256;  ///< Of that file's bytes.
 };
+
+/// Empty where inputs, outputs and gains fit to the policy and to one another; else a sentence.
+std::string objection_to(const PolicyDocument& document);
 
 }  // namespace torquewright::hopper
