@@ -8,6 +8,7 @@
 #include "src/commands/actuator/actuator_commands.hpp"
 #include "src/commands/gearbox/gearbox_commands.hpp"
 #include "src/commands/identification/identify_commands.hpp"
+#include "src/commands/policy/policy_commands.hpp"
 #include "src/commands/robot/hopper_commands.hpp"
 #include "src/commands/robot/robot_commands.hpp"
 #include "src/commands/shared/help_commands.hpp"
@@ -55,6 +56,13 @@ void add_hopper_commands(Command& program) {
   add_calibrate_command(hopper);
 }
 
+void add_policy_commands(Command& program) {
+  Command policy = add_group(program, "policy", "Take a learned policy to the robot, or here",
+                             "policy export policy.json --format onnx -o policy.onnx");
+  add_policy_export_command(policy);
+  add_policy_import_command(policy);
+}
+
 void add_robot_commands(Command& program) {
   Command robot =
       add_group(program, "robot", "Read robots of other programs, and write robots for them",
@@ -76,6 +84,7 @@ ExitCode run_program(int argc, const char* const* argv) {
   add_actuator_commands(top);
   add_identify_command(top);
   add_hopper_commands(top);
+  add_policy_commands(top);
   add_robot_commands(top);
   add_init_command(top);
   add_schema_command(top);

@@ -3,7 +3,22 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+
+#include "io/text/units.hpp"
+
 namespace torquewright::hopper {
+
+std::string unit_in_name(const std::string& name) {
+  // Beside the units of columns the one that they write otherwise.
+  if (name.ends_with("_m_s")) return "m/s";
+  // From the longest ending on: _rad_s before _s.
+  for (std::size_t at = name.find('_'); at != std::string::npos; at = name.find('_', at + 1)) {
+    const std::optional<io::Unit> unit = io::find_unit(name.substr(at + 1));
+    if (unit) return std::string(unit->name);
+  }
+  return "1";
+}
 
 std::string objection_to(const PolicyDocument& document) {
   const learning::Policy& policy = document.policy;

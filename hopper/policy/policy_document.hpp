@@ -51,6 +51,9 @@ struct PolicyDocument {
   std::string sha256;  ///< Of that file's bytes.
 };
 
+/// The unit that a quantity's name ends in ("knee_rate_rad_s": rad/s); "1" where it ends in none.
+std::string unit_in_name(const std::string& name);
+
 /// Empty where inputs, outputs and gains fit to the policy and to one another; else a sentence.
 std::string objection_to(const PolicyDocument& document);
 

@@ -152,6 +152,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
        {"command_line", "commands/shared", "options", "report/gearbox", "report/parts"}},
       {"commands/actuator",
        {"command_line", "commands/shared", "options", "report/actuator", "report/parts"}},
+      {"commands/policy", {"command_line", "commands/shared", "options"}},
       {"commands/robot",
        {"command_line", "commands/shared", "options", "report/motion", "report/parts",
         "report/robot", "sweep"}},
