@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+// Oracle: the policy itself, beside the header compiled by another compiler as C99, C89's
+// declarations and warnings on, and as C++.
+#include "hopper/policy/c_source.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iomanip>
+
+#include "tests/hopper/policy/sample_policies.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr Eigen::Index kViews = 50;
+
+constexpr const char* kMain = R"(
+#include <stdio.h>
+#include "policy.h"
+int main(void) {
+  float seen[POLICY_INPUTS], action[POLICY_OUTPUTS], target[POLICY_OUTPUTS];
+  for (;;) {
+    int i;
+    for (i = 0; i < POLICY_INPUTS; ++i) {
+      if (scanf("%f", &seen[i]) != 1) return 0;
+    }
+    policy_action(seen, action);
+    policy_target(action, target);
+    for (i = 0; i < POLICY_OUTPUTS; ++i) printf("%.9g %.9g\n", action[i], target[i]);
+  }
+}
+)";
+
+/// Greatest difference between what the compiled header and the policy say of observations.
+double greatest_difference(const PolicyDocument& document, const std::string& compile) {
+  const fs::path folder = fs::path(testing::TempDir()) / "policy_header";
+  fs::create_directories(folder);
+  std::ofstream(folder / "policy.h") << c_source_of(document, {"a \\", "line\nbreak"});
+  std::ofstream(folder / "main.c") << kMain;
+  const Eigen::MatrixXd views = test::sample_observations(document, kViews);
+  std::ofstream(folder / "in") << std::setprecision(9) << views.transpose() << "\n";
+  const std::string command =
+      "cd " + folder.string() + " && " + compile + " -o policy -lm && ./policy < in > out";
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  std::ifstream out(folder / "out");
+  learning::PolicyEvaluation policy(document.policy);
+  double greatest = 0.0;
+  for (const auto& view : views.colwise()) {
+    const Eigen::VectorXd action = policy.action(view);
+    const Eigen::VectorXd target = test::target_of(document, action);
+    for (Eigen::Index i = 0; i < action.size(); ++i) {
+      double found_action = 1e9;
+      double found_target = 1e9;
+      out >> found_action >> found_target;
+      greatest = std::max(
+          {greatest, std::abs(found_action - action(i)), std::abs(found_target - target(i))});
+    }
+  }
+  return greatest;
+}
+
+// Floats of the order of 1 to 10, whose roundings are 1e-7 to 1e-6 of that in sums of 16.
+constexpr double kTolerance = 5e-6;
+
+TEST(PolicyHeader, SaysInCWhatThePolicySays) {
+  for (const PolicyDocument& document : test::sample_policies()) {
+    EXPECT_LT(greatest_difference(
+                  document, TORQUEWRIGHT_CC " -std=c99 -O1 -Wall -Wextra -Werror -pedantic main.c"),
+              kTolerance);
+  }
+}
+
+TEST(PolicyHeader, SaysInCxxWhatThePolicySays) {
+  EXPECT_LT(greatest_difference(test::sample_policies()[7], TORQUEWRIGHT_CXX
+                                " -std=c++11 -O1 -Wall -Wextra -Werror -pedantic -x c++ main.c"),
+            kTolerance);
+}
+
+}  // namespace
+}  // namespace torquewright::hopper
