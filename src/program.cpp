@@ -58,7 +58,7 @@ void add_hopper_commands(Command& program) {
 
 void add_policy_commands(Command& program) {
   Command policy = add_group(program, "policy", "Take a learned policy to the robot, or here",
-                             "policy export policy.json --format onnx -o policy.onnx");
+                             "policy export specs/policy/upright.json --format c");
   add_policy_export_command(policy);
   add_policy_import_command(policy);
 }

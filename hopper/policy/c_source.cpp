@@ -111,14 +111,14 @@ bool needs_math(const learning::Policy& policy) {
   return needs(policy.layers) || needs(policy.estimator);
 }
 
+/// NAME@STEPS: as it was so many control periods ago.
 std::string meaning_text(const PolicyDocument& document) {
   std::string text;
   for (std::size_t i = 0; i < document.inputs.size(); ++i) {
     const PolicyInput& input = document.inputs[i];
-    const std::string delay =
-        input.delay_steps > 0 ? fmt::format(", {} periods ago", input.delay_steps) : "";
+    const std::string late = input.delay_steps > 0 ? fmt::format("@{}", input.delay_steps) : "";
     text +=
-        comment_line(fmt::format("observation[{}]: {} [{}]{}", i, input.name, input.unit, delay));
+        comment_line(fmt::format("observation[{}]: {}{} [{}]", i, input.name, late, input.unit));
   }
   for (std::size_t i = 0; i < document.outputs.size(); ++i) {
     const PolicyOutput& output = document.outputs[i];

@@ -136,6 +136,10 @@ ReadPolicy read_policy(const std::filesystem::path& file) {
   return policy_of(io::read_document(file, "policy"));
 }
 
+void require_readable(const std::string& text, const std::string& file) {
+  policy_of(io::check_document(json::parse(text), "policy", file, ""));
+}
+
 ReadPolicy policy_of(io::Document document) { return PolicyReader(std::move(document)).read(); }
 
 }  // namespace torquewright::hopper

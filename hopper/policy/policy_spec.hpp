@@ -22,6 +22,10 @@ ReadPolicy read_policy(const std::filesystem::path& file);
 /// The same for a document that is read already.
 ReadPolicy policy_of(io::Document document);
 
+/// Throws io::SpecError, as of that file, where a text of policy_text() could not be read again: an
+/// imported network has numbers that no document holds.
+void require_readable(const std::string& text, const std::string& file);
+
 /// The document as text. Decimals are the shortest that give the same numbers again, so that what
 /// is read back is the same policy to the bit. Requires a document without objection.
 std::string policy_text(const PolicyDocument& document);

@@ -141,7 +141,7 @@ TEST(Init, PrintsTheDocumentOrWhatItsKeysMean) {
 TEST(Init, NextLineIsWhatAShellTakes) {
   const Workplace place;
   for (const std::string kind : {"actuator", "gear_strength", "gearbox_problem", "jacobian",
-                                 "randomisation", "rig", "trajectory_columns"}) {
+                                 "policy", "randomisation", "rig", "trajectory_columns"}) {
     const std::string name = kind + " " + kAwkwardName;
     const Outcome started = place.run({"init", kind, "-o", name});
     ASSERT_EQ(started.exit_code, 0) << started.err;
@@ -170,7 +170,7 @@ TEST(Init, WritesOverNothingAndStartsNoReport) {
   EXPECT_EQ(report.exit_code, 2);
   EXPECT_EQ(report.err,
             "init: a lint_report is written by the program; documents to start from are actuator, "
-            "gear_strength, gearbox, gearbox_problem, jacobian, randomisation, rig, robot, "
+            "gear_strength, gearbox, gearbox_problem, jacobian, policy, randomisation, rig, robot, "
             "trajectory_columns\n");
 }
 

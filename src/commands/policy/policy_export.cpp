@@ -47,8 +47,7 @@ void add_policy_export_command(command_line::Command& policy) {
   command.add_option("-o,--output", options->output_file, "Write it to this file")
       .otherwise("-, standard output")
       .names_a_file();
-  command.example("torquewright policy export policy.json --format onnx -o policy.onnx");
-  command.example("torquewright policy export policy.json --format c -o policy.h");
+  command.example("torquewright policy export specs/policy/upright.json --format c");
   command.works([options] { return run_policy_export(*options); });
 }
 

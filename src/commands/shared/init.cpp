@@ -38,12 +38,13 @@ struct StartedKind {
   std::string_view next;  ///< {} is the document.
 };
 
-constexpr std::array<StartedKind, 9> kStartedKinds{{
+constexpr std::array<StartedKind, 10> kStartedKinds{{
     {"actuator", "actuator mor {}"},
     {"gear_strength", "gearbox strength {} --torque 20 --side joint"},
     {"gearbox", "actuator mor ACTUATOR, whose \"gearbox\" names this file as its \"file\""},
     {"gearbox_problem", "gearbox optimize {}"},
     {"jacobian", "actuator check TRAJECTORY --jacobian {} --joint NAME=ACTUATOR ..."},
+    {"policy", "policy export {} --format onnx -o policy.onnx"},
     {"randomisation", "hopper replay ROBOT MOTION --trials 20 --randomise {}"},
     {"rig", "identify LOG --rig {} --actuator ACTUATOR"},
     {"robot", "init actuator -o actuator.json; then robot export {} --format mjcf"},

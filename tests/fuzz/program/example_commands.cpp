@@ -82,6 +82,10 @@ identify import sysid_csv tests/fuzz/corpus/imports/lift_sysid.csv --units Rotat
 identify import bam tests/fuzz/corpus/imports/pendulum_bam.json -o imported
 identify import ros tests/fuzz/corpus/imports/legs_ros.csv --joint 1 -o imported
 identify import odrive tests/fuzz/corpus/imports/axes_odrive.csv --joint axis0 -o imported
+policy export specs/policy/upright.json --format onnx -o upright.onnx
+policy export specs/policy/upright.json --format c
+policy import specs/policy/trained_elsewhere.onnx --observations gravity_x,gravity_z,base_pitch_rate_rad_s,knee_rad,ankle_rad,knee_rad@1,ankle_rad@1 --actions knee_target_rad,ankle_target_rad --control-period 0.02 --offset 1.1,-0.1 --scale 0.7 --stiffness knee=150,ankle=100 --damping knee=5,ankle=3 -o policy.json
+policy import specs/policy/trained_elsewhere.onnx --like specs/policy/upright.json --node actions --observations a,b,c,d,e,f,g --actions knee_target_rad,ankle_target_rad
 robot import specs/robot/rabbit.urdf -o rabbit.json
 robot import tests/fuzz/corpus/hopper.xml --format mjcf --free-couplings --mend-inertias --drop-base-armature
 robot import tests/fuzz/corpus/looped.xml -o looped.json --actuator knee=specs/actuator/d151_knee.json --actuator ankle_left=specs/actuator/d110a_ankle.json --actuator ankle_right=specs/actuator/d110a_ankle.json --massless-links --link-error 0.1

@@ -8,6 +8,7 @@
 
 #include "hopper/policy/onnx_export.hpp"
 #include "hopper/policy/onnx_import.hpp"
+#include "io/files/file_bytes.hpp"
 #include "tests/hopper/policy/sample_policies.hpp"
 
 namespace torquewright::hopper {
@@ -99,6 +100,18 @@ TEST(OnnxImport, NormalisesAsRslRlDoes) {
   EXPECT_NEAR(policy.normalisation.mean(1), -1.5, 1e-7);
   EXPECT_NEAR(policy.normalisation.deviation(0), 0.5, 1e-7);
   EXPECT_EQ(policy.layers.size(), 1U);
+}
+
+// Oracle: numpy, in trained_elsewhere.py, which wrote the file with another program's library.
+TEST(OnnxImport, ReadsAFileThatAnotherProgramWrote) {
+  const OnnxGraph graph = onnx_graph_in(
+      io::read_file_bytes(TORQUEWRIGHT_SOURCE_DIR "/specs/policy/trained_elsewhere.onnx"));
+  PolicyEvaluation policy(policy_of_graph(graph, ""));
+  Eigen::VectorXd observation(7);
+  observation << 0.1, -0.2, 0.3, 0.4, -0.5, 0.6, -0.7;
+  const Eigen::VectorXd action = policy.action(observation);
+  EXPECT_NEAR(action(0), -1.88260811956579, 1e-13);
+  EXPECT_NEAR(action(1), 1.87270412953284, 1e-13);
 }
 
 TEST(OnnxImport, UnderstandsMatMulThenAddAndFactorsOfGemm) {
