@@ -53,6 +53,7 @@ void add_hopper_commands(Command& program) {
   add_hopper_check_command(hopper);
   add_flip_command(hopper);
   add_replay_command(hopper);
+  add_train_command(hopper);
   add_calibrate_command(hopper);
 }
 

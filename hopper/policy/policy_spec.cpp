@@ -32,6 +32,7 @@ class PolicyReader {
     for (const json& keys : root().value("trained_with", json::array())) {
       read.trained_with.push_back({keys["path"], keys["sha256"]});
     }
+    if (root().contains("training_task")) read.training_task = root()["training_task"].dump();
     read.file = document_.file;
     read.sha256 = document_.sha256;
     if (faults_.empty()) object(objection_to(read), "");

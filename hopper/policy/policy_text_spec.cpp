@@ -110,6 +110,9 @@ std::string policy_text(const PolicyDocument& document) {
   };
   add_word("name", document.name);
   add_word("task", document.task);
+  if (!document.training_task.empty()) {
+    keys.push_back("\"training_task\": " + document.training_task);
+  }
   keys.push_back("\"inputs\": " + inputs_text(document.inputs));
   keys.push_back("\"outputs\": " + outputs_text(document.outputs));
   keys.push_back(activation_keys(common));

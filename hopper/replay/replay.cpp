@@ -37,6 +37,11 @@ void require_start_above_ground(const Robot& robot, const Motion& motion, double
                          point->depth_m, ground_m, kAllowedDepth_m));
 }
 
+void require_engine(const ReplayOptions& options) {
+  if (options.engine->absence == nullptr) return;
+  if (const auto absence = options.engine->absence()) io::refuse("--engine", *absence);
+}
+
 void require_replayable(const Robot& robot, const Motion& motion, const HopperReport& report,
                         const ReplayOptions& options) {
   if (!motion.has_base || !report.demand.has_dynamics) {
@@ -52,9 +57,7 @@ void require_replayable(const Robot& robot, const Motion& motion, const HopperRe
   if (robot.drivetrains.empty()) {
     io::refuse(motion.file, fmt::format("{} has no drive that could do it", robot.name));
   }
-  if (options.engine->absence != nullptr) {
-    if (const auto absence = options.engine->absence()) io::refuse("--engine", *absence);
-  }
+  require_engine(options);
   require_few_steps(motion, options.run);
   require_start_above_ground(robot, motion, options.engine_options.ground_height_m);
   require_steps_follow_effects(robot, motion.positions.col(0), options.run.step_s);
@@ -111,6 +114,13 @@ struct Replay::Ready {
         flights(flights_of(reference, report.flights)),
         controller(with.controller->prepare(of, reference, tracking_options(with))) {}
 
+  Ready(const Robot& of, FreeRun run, const ReplayOptions& with)
+      : robot(of),
+        options(with),
+        reference(std::move(run.ends)),
+        goal(run.goal),
+        controller(std::move(run.controller)) {}
+
   Variation plain() const {
     ReferenceInstant first;
     reference.at(reference.begins_s(), first);
@@ -137,8 +147,10 @@ struct Replay::Ready {
                          watching.on_progress};
     ReplayedRun done;
     done.record = run_replay(parts, variation.run);
-    done.result =
-        result_of(moved, reference, flights, done.record, options.verdict, options.load_window_s);
+    done.result = goal ? result_of(moved, reference, *goal, done.record, options.verdict,
+                                   options.load_window_s)
+                       : result_of(moved, reference, flights, done.record, options.verdict,
+                                   options.load_window_s);
     leave_open(effects_left_out(of), done.result);
     return done;
   }
@@ -147,6 +159,7 @@ struct Replay::Ready {
   ReplayOptions options;
   Reference reference;
   std::vector<TimeInAir> flights;
+  std::optional<Goal> goal;  ///< None where it follows a motion.
   std::unique_ptr<const ReadyController> controller;
 };
 
@@ -154,6 +167,22 @@ Replay::Replay(const Robot& robot, const Motion& motion, const HopperReport& rep
                const ReplayOptions& options) {
   require_replayable(robot, motion, report, options);
   ready_ = std::make_unique<const Ready>(robot, motion, report, options);
+}
+
+Replay::Replay(const Robot& robot, FreeRun run, const ReplayOptions& options) {
+  require_engine(options);
+  ReferenceInstant first;
+  run.ends.at(run.ends.begins_s(), first);
+  dynamics::TreeState state(robot.tree);
+  state.set(first.position, first.velocity);
+  const double ground_m = options.engine_options.ground_height_m;
+  if (const auto point = buried(robot, state, {ground_m, {}}, kAllowedDepth_m)) {
+    io::refuse(robot.name,
+               fmt::format("would begin with {} {:.3g} m below the ground at z = {:.6g} m",
+                           robot.contacts[point->contact].name, point->depth_m, ground_m));
+  }
+  require_steps_follow_effects(robot, first.position, options.run.step_s);
+  ready_ = std::make_unique<const Ready>(robot, std::move(run), options);
 }
 
 Replay::~Replay() = default;

@@ -13,6 +13,7 @@
 #include "hopper/tracking/every_controller.hpp"
 #include "hopper/tracking/reference_clock.hpp"
 #include "hopper/trials/randomisation.hpp"
+#include "hopper/verdict/goal.hpp"
 
 namespace torquewright::hopper {
 
@@ -57,6 +58,13 @@ inline constexpr double kMostReplaySteps = 1e6;
 /// Throws io::SpecError, with what shortens it, where a run would have more steps than that.
 void require_few_steps(const Motion& motion, const RunOptions& run);
 
+/// What follows no motion: a learned policy, and what it is to do.
+struct FreeRun {
+  Reference ends;  ///< Begins as the robot does and ends in the attitude that the goal has.
+  Goal goal;
+  std::unique_ptr<const ReadyController> controller;  ///< Of the same robot.
+};
+
 /// A robot and a motion, made ready once for any number of runs: what the controller follows, and
 /// its gains.
 class Replay {
@@ -67,6 +75,10 @@ class Replay {
   /// engine is not there.
   Replay(const Robot& robot, const Motion& motion, const HopperReport& report,
          const ReplayOptions& options);
+  /// The same of what follows no motion and is judged by its goal. Throws io::SpecError where its
+  /// drives cannot work under the conditions, it would begin below the ground, or the engine is
+  /// not there.
+  Replay(const Robot& robot, FreeRun run, const ReplayOptions& options);
   ~Replay();
 
   const Reference& reference() const;

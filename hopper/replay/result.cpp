@@ -147,15 +147,9 @@ void add_starved(const Record& record, std::vector<Finding>& findings) {
       record.starved_steps);
 }
 
-}  // namespace
-
-ReplayResult result_of(const Robot& robot, const Reference& reference,
-                       const std::vector<TimeInAir>& planned, const Record& record,
-                       const VerdictRule& rule, double load_window_s) {
-  ReplayResult result;
-  result.outcome = outcome_of(robot, reference, planned, record, rule);
-  result.drives = named_drives(robot);
-  note_errors(robot, reference, record, result.drives);
+/// All that does not depend on what the run was to do.
+void note_run(const Robot& robot, const Record& record, double load_window_s,
+              ReplayResult& result) {
   note_torques(record, result.drives);
   result.greatest_power_W = record.greatest_power_W;
   result.least_bus_V = record.least_bus_V;
@@ -173,6 +167,27 @@ ReplayResult result_of(const Robot& robot, const Reference& reference,
     add_heat(drive, result.findings);
   }
   add_starved(record, result.findings);
+}
+
+}  // namespace
+
+ReplayResult result_of(const Robot& robot, const Reference& reference,
+                       const std::vector<TimeInAir>& planned, const Record& record,
+                       const VerdictRule& rule, double load_window_s) {
+  ReplayResult result;
+  result.outcome = outcome_of(robot, reference, planned, record, rule);
+  result.drives = named_drives(robot);
+  note_errors(robot, reference, record, result.drives);
+  note_run(robot, record, load_window_s, result);
+  return result;
+}
+
+ReplayResult result_of(const Robot& robot, const Reference& ends, const Goal& goal,
+                       const Record& record, const VerdictRule& rule, double load_window_s) {
+  ReplayResult result;
+  result.outcome = outcome_of(robot, ends, goal, record, rule);
+  result.drives = named_drives(robot);
+  note_run(robot, record, load_window_s, result);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hopper/check/checked_motion.hpp"
+#include "hopper/verdict/goal.hpp"
 #include "hopper/verdict/verdict.hpp"
 
 namespace torquewright::hopper {
@@ -53,5 +54,8 @@ struct ReplayResult {
 ReplayResult result_of(const Robot& robot, const Reference& reference,
                        const std::vector<TimeInAir>& planned, const Record& record,
                        const VerdictRule& rule, double load_window_s);
+/// The same of a run that follows no motion: nothing is said of tracking errors.
+ReplayResult result_of(const Robot& robot, const Reference& ends, const Goal& goal,
+                       const Record& record, const VerdictRule& rule, double load_window_s);
 
 }  // namespace torquewright::hopper

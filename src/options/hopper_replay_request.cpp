@@ -109,6 +109,20 @@ void add_tracking_options(command_line::Command& command, HopperReplayRequest& r
       .stated_as("impact_blend_s");
 }
 
+void add_policy_options(command_line::Command& command, HopperReplayRequest& request) {
+  command
+      .add_option(
+          "--task", request.task,
+          "Task that a policy is judged by: a name as hopper train has it, or a document of "
+          "kind training_task")
+      .otherwise("the task that its document says");
+  command
+      .add_option("--forward", request.forward_m_s,
+                  "Velocity that a policy is commanded, in m/s along x")
+      .otherwise("none")
+      .between(-20.0, 20.0);
+}
+
 void add_verdict_options(command_line::Command& command, HopperReplayRequest& request) {
   hopper::DeedTolerances& deeds = request.deeds;
   command
@@ -207,7 +221,8 @@ void add_hopper_replay_options(command_line::Command& command, HopperReplayReque
   command.add_option("robot", request.motion.robot_file, "Document of kind robot").required();
   command
       .add_option("motion", request.motion.trajectory_file,
-                  "CSV as `hopper check` reads it, with the base's motion")
+                  "CSV as `hopper check` reads it, with the base's motion; or a policy, a document "
+                  "(.json) of kind policy")
       .required();
   add_motion_options(command, request.motion);
   add_contact_options(command, request.motion.check.contact);
@@ -215,6 +230,7 @@ void add_hopper_replay_options(command_line::Command& command, HopperReplayReque
   add_load_window(command, request.motion.check);
   add_simulation_options(command, request);
   add_tracking_options(command, request);
+  add_policy_options(command, request);
   add_verdict_options(command, request);
   add_trial_options(command, request);
   add_output_options(command, request);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,7 +32,9 @@ struct HopperReplayRequest {
   double stand_s = 1.0;
   double ground_rise_m = 0.0;
   double contact_time_constant_s = 0.001;
-  std::vector<std::string> pushes;  ///< As read_pushes() takes them.
+  std::vector<std::string> pushes;    ///< As read_pushes() takes them.
+  std::string task;                   ///< Of a policy; empty: as its document says.
+  std::optional<double> forward_m_s;  ///< Command to a policy; empty: 0.
   hopper::DeedTolerances deeds;
   bool sweep = false;
   std::uint64_t trials = 0;  ///< 0: one run as documented.

@@ -9,6 +9,7 @@ namespace torquewright::cli {
 void add_hopper_check_command(command_line::Command& hopper);
 void add_flip_command(command_line::Command& hopper);
 void add_replay_command(command_line::Command& hopper);
+void add_train_command(command_line::Command& hopper);
 void add_calibrate_command(command_line::Command& hopper);
 
 }  // namespace torquewright::cli

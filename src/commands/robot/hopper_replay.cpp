@@ -19,6 +19,7 @@
 #include "src/commands/robot/hopper_check_inputs.hpp"
 #include "src/commands/robot/hopper_commands.hpp"
 #include "src/commands/robot/hopper_replay_json.hpp"
+#include "src/commands/robot/hopper_replay_parts.hpp"
 #include "src/commands/robot/hopper_replay_trials.hpp"
 #include "src/interrupt.hpp"
 #include "src/options/output_files.hpp"
@@ -31,9 +32,9 @@
 #include "src/sweep/sweep.hpp"
 
 namespace torquewright::cli {
-namespace {
+namespace {}  // namespace
 
-void check_files(const HopperReplayRequest& request) {
+void check_replay_files(const HopperReplayRequest& request) {
   const std::string journal = asks_for_processes(request.points)
                                   ? journal_of(request.points, request.output_file)
                                   : std::string();
@@ -41,6 +42,8 @@ void check_files(const HopperReplayRequest& request) {
                 {request.motion.robot_file, request.motion.trajectory_file});
   if (!sweep::is_silent()) sweep::check_journal(journal);  // else who started this process has it
 }
+
+namespace {
 
 hopper::ImpactOptions impact_of(const HopperReplayRequest& request) {
   hopper::ImpactOptions impact;
@@ -118,6 +121,14 @@ void require_effect(const HopperReplayRequest& request) {
                 "belongs with --engine mujoco: the own engine's ground is rigid");
 }
 
+}  // namespace
+
+void require_consistent(const HopperReplayRequest& request) {
+  require_step(request);
+  require_window(request);
+  require_effect(request);
+}
+
 hopper::ReplayOptions replay_options(const HopperReplayRequest& request,
                                      const HopperCheckInputs& inputs) {
   hopper::ReplayOptions options;
@@ -152,7 +163,6 @@ std::vector<hopper::SweptStep> sweep(const hopper::Replay& replay) {
                        }});
 }
 
-/// What trials differ by; none where none are asked for.
 std::optional<hopper::ReadRandomisation> read_trials(const HopperReplayRequest& request,
                                                      const hopper::Robot& robot) {
   if (request.trials == 0) return std::nullopt;
@@ -186,6 +196,8 @@ std::optional<hopper::ReadRandomisation> read_trials(const HopperReplayRequest& 
   return read;
 }
 
+namespace {
+
 ExitCode code_of(hopper::RateVerdict verdict) {
   switch (verdict) {
     case hopper::RateVerdict::kReached:
@@ -210,6 +222,13 @@ ExitCode code_of(hopper::ReplayVerdict verdict) {
   }
 }
 
+}  // namespace
+
+ExitCode replay_code(const hopper::ReplayReport& report) {
+  if (!report.trials) return code_of(report.result.outcome.verdict);
+  return code_of(hopper::judged_rate(report.trials->counts(), report.trials->required_share));
+}
+
 void write_answer(const HopperReplayRequest& request, const HopperCheckInputs& inputs,
                   const report::ReplayPage& page) {
   const auto& [robot, motion, reference, record, report] = page;
@@ -225,11 +244,20 @@ void write_answer(const HopperReplayRequest& request, const HopperCheckInputs& i
                  request.output_file, request.json, std::move(files));
 }
 
+namespace {
+
+/// What only a policy has.
+void require_no_task(const HopperReplayRequest& request) {
+  if (!request.task.empty()) io::refuse("--task", "is for policies: a motion is its own task");
+  if (request.forward_m_s)
+    io::refuse("--forward", "commands a policy; a motion goes as it is planned");
+}
+
 ExitCode run_hopper_replay(const HopperReplayRequest& request) {
-  check_files(request);
-  require_step(request);
-  require_window(request);
-  require_effect(request);
+  if (names_policy(request.motion.trajectory_file)) return run_policy_replay(request);
+  require_no_task(request);
+  check_replay_files(request);
+  require_consistent(request);
   auto [inputs, motion] = read_inputs(request.motion);
   require_time(request, motion);
   const hopper::Robot& robot = inputs.robot.robot;
@@ -238,7 +266,7 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   hopper::require_few_steps(motion, finest);
   const auto pushes = read_pushes(request.pushes, robot, motion, request.stand_s);
   const auto randomised = read_trials(request, robot);
-  check_files(request);  // now that the files that others name are known
+  check_replay_files(request);  // now that the files that others name are known
   require_page("--report", request.report_file);
   const hopper::HopperReport check = hopper::check_motion(robot, motion, inputs.check);
   catch_interrupt();
@@ -260,8 +288,7 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   report.trials = std::move(trials);
   hopper::add_planned_findings(check, report.result.findings);
   write_answer(request, inputs, {robot, motion, replay.reference(), run.record, report});
-  if (!report.trials) return code_of(report.result.outcome.verdict);
-  return code_of(hopper::judged_rate(report.trials->counts(), report.trials->required_share));
+  return replay_code(report);
 }
 
 }  // namespace

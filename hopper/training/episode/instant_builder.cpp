@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/training/episode/instant_builder.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "dynamics/momentum.hpp"
+#include "dynamics/point.hpp"
+#include "robot/model/touching_point.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr Index kOfBase = 6;   // velocity, height, turn, time
+constexpr Index kOfTrial = 2;  // voltage, friction
+
+VectorXd ratios_of(const Robot& robot) {
+  std::vector<double> ratios;
+  for (const Drivetrain& drivetrain : robot.drivetrains) {
+    for (const actuator::Actuator& one : drivetrain.actuators) {
+      ratios.push_back(std::abs(one.transmission.ratio));
+    }
+  }
+  return Eigen::Map<VectorXd>(ratios.data(), static_cast<Index>(ratios.size()));
+}
+
+}  // namespace
+
+InstantBuilder::InstantBuilder(const ReadyTask& ready, WholeBody& body, const Command& command)
+    : ready_(ready), ratio_(ratios_of(ready.robot)) {
+  const Task& task = ready.task;
+  at_.asked.phase = task.phase;
+  at_.asked.turn_rad = task.goal.turn_rad;
+  at_.asked.forward_m_s = command.forward_m_s;
+  at_.asked.yaw_rad_s = command.yaw_rad_s;
+  at_.asked.clearance_m = task.clearance_m;
+  at_.asked.is_standing = task.goal.most_flights == 0;
+  const auto joints = static_cast<Index>(ready.robot.tree.bodies.size()) - 1;
+  const auto points = static_cast<Index>(ready.robot.contacts.size());
+  at_.reference_rad = ready.skill.hold_rad;
+  at_.joint_least_rad.resize(joints);
+  at_.joint_greatest_rad.resize(joints);
+  for (Index i = 0; i < joints; ++i) {
+    const auto& limits = ready.robot.tree.bodies[static_cast<std::size_t>(i) + 1].joint.limits;
+    at_.joint_least_rad[i] = limits.position_min;
+    at_.joint_greatest_rad[i] = limits.position_max;
+  }
+  at_.joint_Nm.setZero(joints);
+  at_.load_Nm.setZero(ratio_.size());
+  const auto actions = static_cast<Index>(ready.skill.outputs.size());
+  for (VectorXd* action : {&at_.action, &at_.action_before, &at_.action_before_that}) {
+    action->setZero(actions);
+  }
+  at_.touches = at_.touches_before = TouchingPoints::Constant(points, true);
+  at_.impulse_N_s.setZero(3 * points);
+  began_ = before_ = body.state().motion(0).R_WB;
+  set_state(body, 0.0);
+  at_.joint_rad_s_before = at_.joint_rad_s;
+}
+
+void InstantBuilder::begin(const Eigen::Ref<const VectorXd>& action) {
+  at_.action_before_that = at_.action_before;
+  at_.action_before = at_.action;
+  at_.action = action;
+  at_.joint_rad_s_before = at_.joint_rad_s;
+  at_.touches_before = at_.touches;
+  at_.touches.setConstant(false);
+  at_.impulse_N_s.setZero();
+  at_.joint_Nm.setZero();
+  at_.load_Nm.setZero();
+  steps_ = 0;
+}
+
+void InstantBuilder::note_step(MovedRobot& robot, double step_s) {
+  ++steps_;
+  at_.joint_Nm += robot.force().tail(at_.joint_Nm.size());
+  at_.load_Nm += robot.contact_Nm_s().cwiseAbs().cwiseQuotient(ratio_) / step_s;
+  const VectorXd& impulses = robot.engine().impulses_N_s();
+  at_.impulse_N_s += impulses;
+  for (Index point = 0; point < at_.touches.size(); ++point) {
+    if (impulses[3 * point + 2] > 0.0) at_.touches[point] = true;
+  }
+}
+
+const RewardInstant& InstantBuilder::finish(double time_s, bool fell, WholeBody& body,
+                                            double ground_m) {
+  const double steps = std::max(1, steps_);
+  at_.joint_Nm /= steps;
+  at_.load_Nm /= steps;
+  at_.impulse_N_s /= steps;
+  at_.time_s = time_s;
+  at_.fell = fell;
+  set_state(body, ground_m);
+  return at_;
+}
+
+void InstantBuilder::set_state(WholeBody& body, double ground_m) {
+  dynamics::TreeState& state = body.state();
+  const dynamics::BodyMotion& base = state.motion(0);
+  const Index joints = at_.reference_rad.size();
+  at_.joint_rad_s = state.velocity().tail(joints);
+  at_.joint_rad.resize(joints);
+  for (Index i = 0; i < joints; ++i) {
+    at_.joint_rad[i] = state.joint_position(static_cast<std::size_t>(i) + 1);
+  }
+  at_.base_velocity_m_s = base.velocity_m_s;
+  at_.base_rate_rad_s = base.R_WB.transpose() * base.angular_velocity_rad_s;
+  at_.base_height_m = state.base_origin_m().z() - ground_m;
+  at_.tilt_rad = Eigen::AngleAxisd(began_.transpose() * base.R_WB).angle();
+  const Eigen::AngleAxisd turned(base.R_WB * before_.transpose());
+  at_.turned_rad += turned.angle() * turned.axis().y();
+  before_ = base.R_WB;
+  const dynamics::Centroid centroid = dynamics::centroid(state);
+  at_.momentum_Nm_s = centroid.angular_momentum_Nm_s;
+  at_.rotation_rad_s = centroid.angular_velocity_rad_s;
+  set_foot(state, ground_m);
+  at_.mass_offset_m += centroid.position_m.head<2>();
+}
+
+void InstantBuilder::set_foot(const dynamics::TreeState& state, double ground_m) {
+  Eigen::Vector3d middle_m = Eigen::Vector3d::Zero();
+  at_.foot_velocity_m_s.setZero();
+  at_.foot_height_m = std::numeric_limits<double>::infinity();
+  for (const ContactPoint& contact : ready_.robot.contacts) {
+    const dynamics::BodyPoint point = touching_point(contact, state);
+    const Eigen::Vector3d place_m = dynamics::point_position_m(state, point);
+    middle_m += place_m;
+    at_.foot_velocity_m_s += dynamics::point_velocity_m_s(state, point);
+    at_.foot_height_m = std::min(at_.foot_height_m, place_m.z() - ground_m);
+  }
+  const auto points = static_cast<double>(ready_.robot.contacts.size());
+  at_.foot_velocity_m_s /= points;
+  at_.mass_offset_m = -middle_m.head<2>() / points;
+}
+
+Index InstantBuilder::privileged_count(const Robot& robot) {
+  return kOfBase + kOfTrial + static_cast<Index>(robot.contacts.size());
+}
+
+void InstantBuilder::write_privileged(Eigen::Ref<VectorXd> out, const Trial& trial) const {
+  out.head<3>() = at_.base_velocity_m_s;
+  out[3] = at_.base_height_m;
+  out[4] = at_.turned_rad;
+  out[5] = at_.time_s;
+  out[6] = trial.bus_voltage_factor;
+  out[7] = trial.friction_coefficient.value_or(ready_.robot.contacts.front().friction_coefficient);
+  for (Index point = 0; point < at_.touches.size(); ++point) {
+    out[kOfBase + kOfTrial + point] = at_.touches[point] ? 1.0 : 0.0;
+  }
+}
+
+}  // namespace torquewright::hopper

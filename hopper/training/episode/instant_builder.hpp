@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hopper/training/episode/moved_robot.hpp"
+#include "hopper/training/task/ready_task.hpp"
+#include "hopper/trials/trial.hpp"
+
+namespace torquewright::hopper {
+
+/// Gathers over the engine's steps of a control step what rewards are made of.
+class InstantBuilder {
+ public:
+  /// At an episode's begin, with the robot as it stands there. The task must outlive it.
+  InstantBuilder(const ReadyTask& ready, WholeBody& body, const Command& command);
+
+  void begin(const Eigen::Ref<const Eigen::VectorXd>& action);
+  void note_step(MovedRobot& robot, double step_s);
+  /// Ends the control step at that time after the begin.
+  const RewardInstant& finish(double time_s, bool fell, WholeBody& body, double ground_m);
+
+  /// What a critic sees beside the policy's inputs: velocity and height of the base, how far it has
+  /// turned and for how long the episode goes on, what touches, and what the trial drew of voltage
+  /// and friction.
+  static Eigen::Index privileged_count(const Robot& robot);
+  void write_privileged(Eigen::Ref<Eigen::VectorXd> out, const Trial& trial) const;
+
+ private:
+  void set_state(WholeBody& body, double ground_m);
+  void set_foot(const dynamics::TreeState& state, double ground_m);
+
+  const ReadyTask& ready_;
+  RewardInstant at_;
+  Eigen::Matrix3d began_;   ///< Attitude of the base at the begin.
+  Eigen::Matrix3d before_;  ///< And at the last control step.
+  Eigen::VectorXd ratio_;   ///< Of each drive.
+  int steps_ = 0;
+};
+
+}  // namespace torquewright::hopper
