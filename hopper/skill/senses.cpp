@@ -19,7 +19,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 // Rows of a frame: the base's, then four of each joint, then phase and command.
-constexpr Index kBase = 8;
+constexpr Index kBase = 10;
 constexpr Index kOfJoint = 4;
 constexpr Index kLast = 6;
 
@@ -45,10 +45,16 @@ io::Fault fault_of(const PolicyInput& input, std::size_t place, const std::strin
 }  // namespace
 
 std::vector<PolicyInput> every_sense(const Robot& robot) {
-  std::vector<PolicyInput> all{{"base_gravity_x", "1"},        {"base_gravity_y", "1"},
-                               {"base_gravity_z", "1"},        {"base_pitch_sin", "1"},
-                               {"base_pitch_cos", "1"},        {"base_rate_x_rad_s", "rad/s"},
-                               {"base_rate_y_rad_s", "rad/s"}, {"base_rate_z_rad_s", "rad/s"}};
+  std::vector<PolicyInput> all{{"gravity_x", "1"},
+                               {"gravity_y", "1"},
+                               {"gravity_z", "1"},
+                               {"base_pitch_sin", "1"},
+                               {"base_pitch_cos", "1"},
+                               {"base_pitch_rad", "rad"},
+                               {"base_rate_x_rad_s", "rad/s"},
+                               {"base_rate_y_rad_s", "rad/s"},
+                               {"base_rate_z_rad_s", "rad/s"},
+                               {"base_pitch_rate_rad_s", "rad/s"}};
   for (std::size_t body = 1; body < robot.tree.bodies.size(); ++body) {
     const std::string& joint = robot.tree.bodies[body].joint.name;
     all.push_back({joint + "_rad", "rad"});
@@ -98,7 +104,9 @@ void Senses::note_base(const Observation& seen, Eigen::Ref<VectorXd> frame) cons
   const double lean = std::hypot(attitude(0, 2), attitude(2, 2));
   frame[3] = lean > 0.0 ? attitude(0, 2) / lean : 0.0;
   frame[4] = lean > 0.0 ? attitude(2, 2) / lean : 1.0;
-  frame.segment<3>(5) = base_rate_rad_s(robot_.tree, seen.velocity);
+  frame[5] = std::atan2(frame[3], frame[4]);
+  frame.segment<3>(6) = base_rate_rad_s(robot_.tree, seen.velocity);
+  frame[9] = frame[7];
 }
 
 void Senses::note_phase(double time_s, Eigen::Ref<VectorXd> frame) const {

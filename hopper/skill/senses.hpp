@@ -18,10 +18,11 @@ struct Command {
   double yaw_rad_s = 0.0;    ///< About the world's z.
 };
 
-/// Quantities of a robot that a policy may see, by name:
-/// base_gravity_x, _y, _z (direction of gravity in the base's axes, 1), base_pitch_sin, _cos,
-/// base_rate_x_rad_s, _y_, _z_, of every joint JOINT_rad, JOINT_rad_s, JOINT_target_rad (the target
-/// that held when it was seen) and JOINT_error_rad (target less position), phase_sin, phase_cos,
+/// Quantities of a robot that a policy may see, by name: gravity_x, gravity_y, gravity_z (its
+/// direction in the base's axes, 1), base_pitch_sin, base_pitch_cos, base_pitch_rad (about +y,
+/// within half a turn), base_rate_x_rad_s and so on in the base's axes, base_pitch_rate_rad_s (the
+/// same as about y), of every joint JOINT_rad, JOINT_rad_s, JOINT_target_rad (the target that held
+/// when it was seen) and JOINT_error_rad (target less position), phase_sin, phase_cos,
 /// phase_flight, phase_landing (1 then, else 0), command_forward_m_s, command_yaw_rad_s.
 std::vector<PolicyInput> every_sense(const Robot& robot);
 

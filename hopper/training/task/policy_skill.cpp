@@ -14,8 +14,6 @@ using Eigen::Index;
 
 void set_gains(const Robot& robot, const std::vector<PolicyGain>& stated, const std::string& file,
                TargetGains& gains) {
-  gains.stiffness_Nm_rad.setZero();
-  gains.damping_Nm_s_rad.setZero();
   for (const PolicyGain& gain : stated) {
     const auto body = robot.find_joint(gain.drive);
     if (!body) {

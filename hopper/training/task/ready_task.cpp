@@ -123,9 +123,9 @@ void add_inputs(const Task& task, bool is_planar, const std::vector<std::string>
   const auto add = [&](const std::string& name, const char* unit, int delay = 0) {
     skill.inputs.push_back({name, unit, delay});
   };
-  add("base_gravity_x", "1");
-  if (!is_planar) add("base_gravity_y", "1");
-  add("base_gravity_z", "1");
+  add("gravity_x", "1");
+  if (!is_planar) add("gravity_y", "1");
+  add("gravity_z", "1");
   if (!is_planar) add("base_rate_x_rad_s", "rad/s");
   add("base_rate_y_rad_s", "rad/s");
   if (!is_planar) add("base_rate_z_rad_s", "rad/s");

@@ -82,6 +82,9 @@ identify import sysid_csv tests/fuzz/corpus/imports/lift_sysid.csv --units Rotat
 identify import bam tests/fuzz/corpus/imports/pendulum_bam.json -o imported
 identify import ros tests/fuzz/corpus/imports/legs_ros.csv --joint 1 -o imported
 identify import odrive tests/fuzz/corpus/imports/axes_odrive.csv --joint axis0 -o imported
+hopper train specs/robot/planar_leg.json --task hop --limits box --engine own --seconds 1 --iterations 1 --seed 2 --threads 2 --judge-every 1 --judge-runs 1 -o hop.json --curve hop.csv
+hopper train specs/robot/hopper.json --task specs/training_task/stand.json --randomise specs/randomisation/hopper.json --bus-voltage 60 --seconds 0.1 --iterations 1 -o stand.json
+hopper replay specs/robot/hopper.json specs/policy/upright.json --task stand --forward 0.1
 policy export specs/policy/upright.json --format onnx -o upright.onnx
 policy export specs/policy/upright.json --format c
 policy import specs/policy/trained_elsewhere.onnx --observations gravity_x,gravity_z,base_pitch_rate_rad_s,knee_rad,ankle_rad,knee_rad@1,ankle_rad@1 --actions knee_target_rad,ankle_target_rad --control-period 0.02 --offset 1.1,-0.1 --scale 0.7 --stiffness knee=150,ankle=100 --damping knee=5,ankle=3 -o policy.json
