@@ -11,11 +11,6 @@ constexpr int kMostOfGroup = 12;
 
 }  // namespace
 
-void show(const UsualInputs& usual, const Eigen::Ref<const Eigen::VectorXf>& view,
-          Eigen::Ref<Eigen::VectorXf> shown) {
-  shown = (view - usual.mean).cwiseProduct(usual.inverse_deviation);
-}
-
 Acting::Acting(int copies) {
   int count = (copies + kMostOfGroup - 1) / kMostOfGroup;
   if (count > 1) count = std::min(copies, count + count % 2);  // two threads share them evenly
@@ -46,8 +41,8 @@ void Acting::run_group(const Model& model, Group& group, std::vector<Copy>& copi
     };
     for (int i = 0; i < group.count; ++i) {
       copy_of(i).observe(sample_of(i), samples);
-      show(model.actor_inputs, samples.actor_views.col(sample_of(i)),
-           group.actor.inputs.col(i).head(inputs));
+      model.actor_inputs.show(samples.actor_views.col(sample_of(i)),
+                              group.actor.inputs.col(i).head(inputs));
     }
     if (model.estimator) {
       group.estimator.inputs = group.actor.inputs.topRows(inputs);

@@ -3,10 +3,10 @@
 
 #include <vector>
 
+#include "learning/team.hpp"
 #include "learning/training/copies.hpp"
 #include "learning/training/model.hpp"
 #include "learning/training/samples.hpp"
-#include "learning/team.hpp"
 
 namespace torquewright::learning {
 
@@ -30,9 +30,5 @@ class Acting {
 
   std::vector<Group> groups_;
 };
-
-/// What the actor's network is shown: views of those samples (a column each), normalised.
-void show(const UsualInputs& usual, const Eigen::Ref<const Eigen::VectorXf>& view,
-          Eigen::Ref<Eigen::VectorXf> shown);
 
 }  // namespace torquewright::learning

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "learning/training/block.hpp"
 
-#include "learning/training/acting.hpp"
-
 namespace torquewright::learning {
 namespace {
 
@@ -25,11 +23,11 @@ void show_actor(const BlockTask& task, std::span<const int> samples, BlockRoom& 
   shown.resize(inputs + guesses, is_mirrored ? 2 * count : count);
   for (Eigen::Index i = 0; i < count; ++i) {
     const int sample = samples[static_cast<std::size_t>(i)];
-    show(task.model.actor_inputs, task.samples.actor_views.col(sample), shown.col(i).head(inputs));
+    task.model.actor_inputs.show(task.samples.actor_views.col(sample), shown.col(i).head(inputs));
     shown.col(i).tail(guesses) = task.samples.guesses.col(sample);
     if (!is_mirrored) continue;
     write_mirrored(task.options.mirror->actor, task.samples.actor_views.col(sample), room.mirrored);
-    show(task.model.actor_inputs, room.mirrored, shown.col(count + i).head(inputs));
+    task.model.actor_inputs.show(room.mirrored, shown.col(count + i).head(inputs));
   }
   if (!is_mirrored || !task.model.estimator) return;
   room.mirrored_estimator.inputs = shown.topRightCorner(inputs, count);
@@ -83,8 +81,8 @@ void actor_gradient(const BlockTask& task, std::span<const int> samples, BlockRo
 void show_critics(const BlockTask& task, std::span<const int> samples, Eigen::MatrixXf& shown) {
   shown.resize(task.samples.critic_views.rows(), static_cast<Eigen::Index>(samples.size()));
   for (Eigen::Index i = 0; i < shown.cols(); ++i) {
-    show(task.model.critic_inputs,
-         task.samples.critic_views.col(samples[static_cast<std::size_t>(i)]), shown.col(i));
+    task.model.critic_inputs.show(
+        task.samples.critic_views.col(samples[static_cast<std::size_t>(i)]), shown.col(i));
   }
 }
 

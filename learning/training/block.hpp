@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
+#include "learning/formulas/surrogate.hpp"
 #include "learning/training/model.hpp"
 #include "learning/training/samples.hpp"
-#include "learning/formulas/surrogate.hpp"
 #include "learning/training/trainer_options.hpp"
 
 namespace torquewright::learning {

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "learning/training/acting.hpp"
 #include "learning/formulas/advantages.hpp"
 
 namespace torquewright::learning {
@@ -20,11 +19,11 @@ void value_copy(const Model& model, const ValueScale& scale, int copy, Samples& 
   const auto beyond = static_cast<Eigen::Index>(samples.beyond_count[at]);
   pass.inputs.resize(samples.critic_views.rows(), samples.steps + beyond);
   for (int t = 0; t < samples.steps; ++t) {
-    show(model.critic_inputs, samples.critic_views.col(first + t), pass.inputs.col(t));
+    model.critic_inputs.show(samples.critic_views.col(first + t), pass.inputs.col(t));
   }
   for (Eigen::Index i = 0; i < beyond; ++i) {
-    show(model.critic_inputs, samples.beyond[at][static_cast<std::size_t>(i)].critic_view,
-         pass.inputs.col(samples.steps + i));
+    model.critic_inputs.show(samples.beyond[at][static_cast<std::size_t>(i)].critic_view,
+                             pass.inputs.col(samples.steps + i));
   }
   thread_local Eigen::MatrixXd values;
   values.resize(pass.inputs.cols(), samples.values.cols());

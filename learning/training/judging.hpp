@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "learning/team.hpp"
 #include "learning/training/model.hpp"
 #include "learning/training/samples.hpp"
-#include "learning/team.hpp"
 #include "learning/training/trainer_options.hpp"
 
 namespace torquewright::learning {

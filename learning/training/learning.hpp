@@ -3,9 +3,9 @@
 
 #include <vector>
 
+#include "learning/team.hpp"
 #include "learning/training/block.hpp"
 #include "learning/training/iteration_report.hpp"
-#include "learning/team.hpp"
 
 namespace torquewright::learning {
 

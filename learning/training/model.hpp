@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "learning/environment.hpp"
+#include "learning/formulas/running_moments.hpp"
 #include "learning/network/adam.hpp"
 #include "learning/network/network.hpp"
-#include "learning/formulas/running_moments.hpp"
 #include "learning/training/trainer_options.hpp"
 
 namespace torquewright::learning {
@@ -17,6 +17,11 @@ namespace torquewright::learning {
 struct UsualInputs {
   UsualInputs(Eigen::Index size, double least_deviation);
   void renew();
+  /// What a network is shown of a view.
+  void show(const Eigen::Ref<const Eigen::VectorXf>& view,
+            Eigen::Ref<Eigen::VectorXf> shown) const {
+    shown = (view - mean).cwiseProduct(inverse_deviation);
+  }
 
   RunningMoments moments;  ///< Of all that was shown so far.
   double least_deviation;

@@ -159,6 +159,7 @@ const std::vector<LeftOut> kLeftOut = {
     {"gearbox_problem: /synthesis", "refused"},
     {"jacobian: /table(/.*)?", "in place of the matrix"},
     {R"(randomisation: .*/\*/(bodies|drives|joints))", "names of one robot; absent: all"},
+    {R"(policy: /estimator/layers/\*/(activation|alpha))", "shown by the layers behind"},
     {"randomisation: /state_of_charge(/.*)?", "needs batteries with a curve"},
     {R"(rig: (.*/links(/.*)?|/columns/\*/joint))", "of a serial arm; the example is a pendulum"},
     {R"(rig: (.*/(file|base|roll_rad|pitch_rad|held_rad)(/.*)?|/controllers?(/.*)?))",

@@ -21,6 +21,7 @@ using Below = std::map<std::string, std::set<std::string>>;
 const std::map<std::string, std::string> kHolds = {
     {"io", "documents, files, units, words: everything may use it"},
     {"optimization", "expressions, intervals, branch and bound, nonlinear programs"},
+    {"learning", "networks and proximal policy optimisation; knows no robot"},
     {"gearbox", "teeth, trains, their conditions, search, strength and proofs"},
     {"actuator", "motor, drive, effects, the region, checks of a motion, exporters"},
     {"dynamics", "trees of rigid bodies, on any scalar"},
