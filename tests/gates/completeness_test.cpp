@@ -248,7 +248,7 @@ struct NamingKey {
 
 /// Its own, and those of the checks that a replay uses.
 Names replay_rules() {
-  Names rules = rules_in({"hopper/replay"});
+  Names rules = rules_in({"hopper/replay", "hopper/skill"});
   rules.insert({"assumed", "transmission-load"});
   return rules;
 }

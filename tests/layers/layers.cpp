@@ -110,7 +110,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"replay",
        {"contact", "motion", "check", "engines", "surroundings", "tracking", "record", "trials",
         "verdict"}},
-      {"skill", {"policy", "tracking", "verdict"}},
+      {"skill", {"check", "policy", "tracking", "verdict"}},
       {"training/rewards", {"skill", "tracking"}},
       {"training/rewards/flip", {"training/rewards"}},
       {"training/rewards/hop", {"training/rewards"}},

@@ -6,6 +6,7 @@
 
 #include "hopper/policy/policy_spec.hpp"
 #include "hopper/skill/policy_controller.hpp"
+#include "hopper/skill/policy_findings.hpp"
 #include "hopper/training/task/policy_skill.hpp"
 #include "hopper/training/task/task_ends.hpp"
 #include "hopper/training/task/task_spec.hpp"
@@ -51,41 +52,11 @@ HopperReplayRequest with_looks_of(HopperReplayRequest request, const hopper::Tas
   return request;
 }
 
-hopper::Finding finding(const char* rule, actuator::Severity severity, std::string sentence) {
-  hopper::Finding finding;
-  finding.rule = rule;
-  finding.severity = severity;
-  finding.sentence = std::move(sentence);
-  return finding;
-}
-
-/// What a reader must know of how a policy meets this robot.
-std::vector<hopper::Finding> findings_on(const hopper::PolicyDocument& document,
-                                         const HopperReplayRequest& request,
-                                         const hopper::ReadRobot& read, const hopper::Task& task) {
-  std::vector<hopper::Finding> findings;
-  if (task.in_plane) {
-    findings.push_back(finding("policy-plane", actuator::Severity::kNote,
-                               "the robot moves in the plane of x and z alone, as the task says"));
-  }
-  if (!document.limits.empty() && document.limits != request.limits) {
-    findings.push_back(
-        finding("policy-limits", actuator::Severity::kWarning,
-                fmt::format("the policy was trained with limits \"{}\", this run has \"{}\"",
-                            document.limits, request.limits)));
-  }
-  for (const hopper::TrainedWith& with : document.trained_with) {
-    const bool is_same =
-        std::any_of(read.documents.begin(), read.documents.end(),
-                    [&](const io::Document& one) { return one.sha256 == with.sha256; });
-    if (is_same) continue;
-    findings.push_back(
-        finding("policy-drives", actuator::Severity::kWarning,
-                fmt::format("the policy was trained with another {}: no document of this robot has "
-                            "its bytes (SHA-256 {:.12})",
-                            std::filesystem::path(with.path).filename().string(), with.sha256)));
-  }
-  return findings;
+hopper::PolicyUse use_of(const HopperReplayRequest& request, const hopper::ReadRobot& read,
+                         const hopper::Task& task) {
+  hopper::PolicyUse use{task.in_plane, request.limits, {}};
+  for (const io::Document& one : read.documents) use.sha256.push_back(one.sha256);
+  return use;
 }
 
 hopper::ReplayOptions policy_options(const HopperReplayRequest& request,
@@ -141,7 +112,8 @@ ExitCode run_policy_replay(const HopperReplayRequest& asked) {
   hopper::ReplayedRun run = run_once(replay, "replaying");
   hopper::ReplayReport report{replay.options(), std::move(run.result), {}, std::move(trials)};
   if (request.sweep) report.sweep = sweep(replay);
-  for (hopper::Finding& one : findings_on(document, request, inputs.robot, task)) {
+  for (hopper::Finding& one :
+       hopper::policy_findings(document, use_of(request, inputs.robot, task))) {
     report.result.findings.push_back(std::move(one));
   }
   write_answer(request, inputs, {ready.robot, motion, replay.reference(), run.record, report});
