@@ -22,9 +22,9 @@ struct ReadyTask {
   std::vector<ReadyReward> rewards;
 };
 
-/// Joins them. io::SpecError where the robot has no drive, no base that moves, no contact, not the
-/// posture or the joints that the task names, or no plane where the task asks for one; where it
-/// would begin inside the ground or off its balance.
+/// Joins them. io::SpecError where the robot has no drive, no base that moves or no contact, not
+/// the posture or the joints that the task names, or no plane where the task asks for one. It
+/// begins on a level sole on the ground; whether it can stay there is not asked.
 ReadyTask ready_task(const Robot& robot, const Task& task);
 
 }  // namespace torquewright::hopper
