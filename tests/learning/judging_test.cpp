@@ -7,6 +7,9 @@
 
 #include <cmath>
 
+#include "learning/training/copies.hpp"
+#include "tests/learning/linear_quadratic.hpp"
+
 namespace torquewright::learning {
 namespace {
 
@@ -91,6 +94,31 @@ TEST(Judging, TakesTheValueBeyondWhereAnEpisodeIsCutAndNoneWhereItEnds) {
                     (samples.advantages(2) - samples.advantages(3)),
                 (sum(0) - sum(1)) / (sum(2) - sum(3)), 1e-4);
   }
+}
+
+TEST(Copy, SeesWhatLiesBeyondACutBeforeTheNextEpisodeBegins) {
+  LinearQuadratic task;
+  task.steps = 2;
+  const Sizes sizes = sizes_of(task);
+  Samples samples(sizes, 1, 3, 0);
+  samples.beyond_count = {0};
+  samples.means.setZero();
+  Copy copy(environments_of(task)(0), sizes, 1, 0, 1);
+  for (int sample = 0; sample < 3; ++sample) {
+    copy.observe(sample, samples);
+    copy.act(sample, sample == 2, Eigen::VectorXd::Zero(1), samples);
+  }
+  // The second step led to A A x, the third to A of the next episode's state.
+  ASSERT_EQ(samples.beyond_count[0], 2U);
+  const Eigen::Vector2d second = task.A * task.A * samples.critic_views.col(0).cast<double>();
+  const Eigen::Vector2d last = task.A * samples.critic_views.col(2).cast<double>();
+  EXPECT_LT((samples.beyond[0][0].critic_view.cast<double>() - second).norm(), 1e-6);
+  EXPECT_LT((samples.beyond[0][1].critic_view.cast<double>() - last).norm(), 1e-6);
+  EXPECT_EQ(samples.beyond[0][0].sample, 1);
+  EXPECT_EQ(samples.goes_on, (std::vector<char>{1, 0, 1}));
+  ASSERT_EQ(copy.reports().size(), 1U);
+  EXPECT_TRUE(copy.reports()[0].was_cut);
+  EXPECT_EQ(copy.reports()[0].steps, 2);
 }
 
 TEST(ValueScale, ChangesNoValue) {

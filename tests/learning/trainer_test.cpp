@@ -150,6 +150,15 @@ TEST(TrainerEstimator, GuessesTheSpeedThatOnlyTheCriticSees) {
   // The speed now is that between the last two positions, but for half a step of acceleration.
   EXPECT_LT(last.estimator_loss, 0.02);
   EXPECT_GT(first.estimator_loss, 2.0 * last.estimator_loss);
+  PolicyEvaluation policy(trainer.policy());
+  const auto guess = [&](double position, double speed) {
+    policy.action(Eigen::Vector2d(position, speed));
+    return policy.guess()(0);
+  };
+  // Of the speed, not of the position.
+  EXPECT_GT(guess(0.0, 0.5) - guess(0.0, -0.5), 0.5);
+  EXPECT_LT(std::abs(guess(0.5, 0.0) - guess(-0.5, 0.0)),
+            0.3 * (guess(0.0, 0.5) - guess(0.0, -0.5)));
   EXPECT_EQ(trainer.policy().estimator.size(), 2U);
   EXPECT_EQ(trainer.policy().layers.front().weights.cols(), 3);
 }
@@ -198,6 +207,29 @@ TEST(TrainerOptionsCheck, SaysWhatIsWrong) {
   options = {};
   options.mirror = Mirror{{{1, 1}, {1.0, 1.0}}, {{0}, {1.0}}};
   EXPECT_EQ(message(options), "mirroring entry 0 of the actor's view twice is to be no change");
+}
+
+/// Nothing is worth more than anything else.
+class Idle : public Bandit {
+ public:
+  Outcome act(const Eigen::Ref<const Eigen::VectorXd>&) override { return {{0.0}, true, false}; }
+};
+
+TEST(TrainerEntropy, IsPaidForWhereNothingElseIs) {
+  TrainerOptions options = small_options();
+  double free = 0.0;
+  for (const double price : {0.0, 1.0}) {
+    options.entropy = price;
+    Trainer trainer(
+        {1, 1, 1, 1}, [](int) { return std::make_unique<Idle>(); }, options);
+    IterationReport report;
+    for (int i = 0; i < 5; ++i) report = trainer.iterate();
+    if (price == 0.0) free = report.deviation;
+    if (price > 0.0) EXPECT_GT(report.deviation, 1.01 * free);
+    // Of a normal number (Cover and Thomas, Elements of Information Theory, 8.1).
+    const double variance = report.deviation * report.deviation;
+    EXPECT_NEAR(report.entropy, 0.5 * std::log(2.0 * M_PI * std::exp(1.0) * variance), 1e-12);
+  }
 }
 
 /// Earns what is no number in its third step.
