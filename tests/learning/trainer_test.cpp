@@ -224,8 +224,11 @@ TEST(TrainerEntropy, IsPaidForWhereNothingElseIs) {
         {1, 1, 1, 1}, [](int) { return std::make_unique<Idle>(); }, options);
     IterationReport report;
     for (int i = 0; i < 5; ++i) report = trainer.iterate();
-    if (price == 0.0) free = report.deviation;
-    if (price > 0.0) EXPECT_GT(report.deviation, 1.01 * free);
+    if (price == 0.0) {
+      free = report.deviation;
+    } else {
+      EXPECT_GT(report.deviation, 1.01 * free);
+    }
     // Of a normal number (Cover and Thomas, Elements of Information Theory, 8.1).
     const double variance = report.deviation * report.deviation;
     EXPECT_NEAR(report.entropy, 0.5 * std::log(2.0 * M_PI * std::exp(1.0) * variance), 1e-12);
