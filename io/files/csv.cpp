@@ -11,7 +11,9 @@
 #include <system_error>
 
 #include "io/faults/spec_error.hpp"
+#include "io/text/iso_time.hpp"
 #include "io/text/one_line.hpp"
+#include "io/text/units.hpp"
 #include "io/text/utf8.hpp"
 
 namespace torquewright::io {
@@ -56,13 +58,39 @@ std::optional<double> number_of(std::string_view text) {
   return value;
 }
 
-/// 1,5 or -0,25e3: digits on both sides of one comma.
-bool has_decimal_comma(std::string_view text) {
+/// 1,5 or -0,25e3 with a point in the place of the one comma; empty if that is no number.
+std::string with_point(std::string_view text) {
   const std::size_t comma = text.find(',');
-  if (comma == text.npos) return false;
+  if (comma == text.npos) return "";
   std::string pointed(text);
   pointed[comma] = '.';
-  return number_of(pointed).has_value();
+  return number_of(pointed) ? pointed : "";
+}
+
+/// How often a character stands in a line outside of quotes.
+std::size_t count_outside_quotes(std::string_view line, char what) {
+  std::size_t count = 0;
+  bool is_quoted = false;
+  for (const char each : line) {
+    if (each == '"') is_quoted = !is_quoted;
+    count += !is_quoted && each == what;
+  }
+  return count;
+}
+
+/// "rad/s" of "[rad/s]" or "(rad/s)".
+std::string_view without_brackets(std::string_view text) {
+  const bool has_brackets = (text.starts_with('[') && text.ends_with(']')) ||
+                            (text.starts_with('(') && text.ends_with(')'));
+  return has_brackets && text.size() > 1 ? trimmed(text.substr(1, text.size() - 2)) : text;
+}
+
+/// The separator of a spreadsheet's first line, "sep=;"; 0 of other lines.
+char separator_stated_by(std::string_view line) {
+  const std::string_view text = trimmed(line);
+  const bool is_one = text.size() == 5 && text.starts_with("sep=") &&
+                      std::string_view(",;\t").find(text[4]) != std::string_view::npos;
+  return is_one ? text[4] : '\0';
 }
 
 std::string in_quotes(std::string_view text) {
@@ -72,7 +100,7 @@ std::string in_quotes(std::string_view text) {
 
 }  // namespace
 
-CsvReader::CsvReader(const std::filesystem::path& file, CutEnd cut_end)
+CsvReader::CsvReader(const std::filesystem::path& file, CutEnd cut_end, UnitsRow units_row)
     : lines_(file), cut_end_(cut_end) {
   std::string_view line;
   do {
@@ -80,12 +108,61 @@ CsvReader::CsvReader(const std::filesystem::path& file, CutEnd cut_end)
       throw SpecError({{lines_.file(), "", "is empty; the first line must name the columns"}});
     }
     if (line.starts_with('#') && comments_.size() < kMostComments) comments_.emplace_back(line);
-  } while (line.starts_with('#') || trimmed(line).empty());
+  } while (line.starts_with('#') || trimmed(line).empty() || separator_stated_by(line) != 0);
   line_ = lines_.line_number();
   check_encoding(line);
+  find_separator(line);
   split(line);
   header_.assign(cells_.begin(), cells_.end());
   check_header();
+  take_units(units_row);
+}
+
+void CsvReader::find_separator(std::string_view header) {
+  std::size_t most = count_outside_quotes(header, separator_);
+  for (const char other : {';', '\t'}) {
+    const std::size_t count = count_outside_quotes(header, other);
+    if (count > most) separator_ = other;
+    most = std::max(most, count);
+  }
+}
+
+/// Reads the line behind the header. It is one of units if no cell is a number and half of them or
+/// more are units.
+void CsvReader::take_units(UnitsRow units_row) {
+  std::string_view line;
+  if (!lines_.next(line)) return;
+  read_ahead_.emplace(line);
+  if (trimmed(line).empty()) return;
+  split(*read_ahead_);
+  std::size_t known = 0;
+  std::vector<std::string> units;
+  for (const std::string_view cell : cells_) {
+    if (number_of(cell)) return;
+    units.emplace_back(without_brackets(cell));
+    known += find_unit(units.back()).has_value();
+  }
+  if (cells_.size() != header_.size() || 2 * known < cells_.size()) return;
+  line_ = lines_.line_number();
+  if (units_row == UnitsRow::kRefused) {
+    refuse_row("is a row of units, and units are stated elsewhere here; delete the line");
+  }
+  units_ = std::move(units);
+  read_ahead_.reset();
+}
+
+bool CsvReader::next_line(std::string_view& line) {
+  if (!read_ahead_) return lines_.next(line);
+  present_ = std::move(*read_ahead_);
+  read_ahead_.reset();
+  line = present_;
+  return true;
+}
+
+std::string CsvReader::dialect() const {
+  if (separator_ == ',') return "";
+  return fmt::format("columns are separated by {}{}", separator_ == ';' ? "semicolons" : "tabs",
+                     decimal_mark_ == ',' ? ", decimals are commas" : "");
 }
 
 CsvReader::CsvReader(const std::filesystem::path& file, std::vector<std::string> names)
@@ -104,8 +181,8 @@ void CsvReader::check_encoding(std::string_view first_line) const {
   }
   if (trimmed(first_line).substr(0, 4) == "sep=") {
     refuse_row(
-        fmt::format("{} is a spreadsheet's line about separators; delete it, columns are "
-                    "separated by commas",
+        fmt::format("{} is a spreadsheet's line about separators; columns may be separated by "
+                    "commas, semicolons or tabs",
                     in_quotes(trimmed(first_line))));
   }
   if (first_that_is_no_utf8(first_line) != std::string_view::npos) {
@@ -114,11 +191,6 @@ void CsvReader::check_encoding(std::string_view first_line) const {
 }
 
 void CsvReader::check_header() const {
-  const std::string& first = header_.front();
-  if (header_.size() == 1 && first.find_first_of(";\t") != std::string::npos) {
-    refuse_row(fmt::format("the columns are separated by {}; must be commas, and decimals points",
-                           first.find(';') != std::string::npos ? "semicolons" : "tabs"));
-  }
   std::set<std::string_view> seen;
   for (std::size_t column = 0; column < header_.size(); ++column) {
     const std::string& name = header_[column];
@@ -137,7 +209,7 @@ void CsvReader::check_header() const {
 
 bool CsvReader::next() {
   std::string_view line;
-  if (!lines_.next(line)) return false;
+  if (!next_line(line)) return false;
   line_ = lines_.line_number();
   if (!trimmed(line).empty()) {
     split(line);
@@ -180,11 +252,12 @@ void CsvReader::check_row() const {
   const bool has_points = std::any_of(cells_.begin(), cells_.end(), [](std::string_view cell) {
     return cell.find('.') != std::string_view::npos;
   });
-  if (cells_.size() > header_.size() && cells_.size() <= 2 * header_.size() && !has_points) {
-    message += "; decimal commas? write 1.5, not 1,5";
+  if (separator_ == ',' && cells_.size() > header_.size() && cells_.size() <= 2 * header_.size() &&
+      !has_points) {
+    message += "; decimal commas? write 1.5, not 1,5, or separate by semicolons";
   }
-  if (cells_.size() == 1 && cells_.front().find(';') != std::string_view::npos) {
-    message += "; separated by semicolons? they must be commas, and decimals points";
+  if (cells_.size() == 1 && cells_.front().find_first_of(";,\t") != std::string_view::npos) {
+    message += "; separated otherwise than the header? one table has one separator";
   }
   refuse_row(message);
 }
@@ -195,10 +268,15 @@ double CsvReader::number(std::size_t column) const {
   if (value && std::isfinite(*value)) return *value;
   if (text.empty()) refuse(column, "empty, must be a number");
   if (value) refuse(column, fmt::format("{} is not a finite number", in_quotes(text)));
-  if (has_decimal_comma(text)) {
+  if (!with_point(text).empty()) {
     refuse(column, fmt::format("{} has a decimal comma; write 1.5, not 1,5", in_quotes(text)));
   }
   refuse(column, fmt::format("{} is not a number", in_quotes(text)));
+}
+
+double CsvReader::time(std::size_t column) const {
+  const std::optional<double> since_1970_s = seconds_of_iso_time(cells_[column]);
+  return since_1970_s ? *since_1970_s : number(column);
 }
 
 bool CsvReader::is_number(std::size_t column) const {
@@ -227,7 +305,8 @@ void CsvReader::refuse_row(const std::string& message) const {
 void CsvReader::split(std::string_view line) {
   cells_.clear();
   unquoted_.clear();
-  unquoted_.reserve(static_cast<std::size_t>(std::count(line.begin(), line.end(), '"')));
+  const auto needs_own = [](char each) { return each == '"' || each == ','; };
+  unquoted_.reserve(static_cast<std::size_t>(std::count_if(line.begin(), line.end(), needs_own)));
   std::size_t place = 0;
   while (true) {
     if (cells_.size() == kMostColumns) {
@@ -248,18 +327,36 @@ void CsvReader::split(std::string_view line) {
                "a quote opens here and does not close in this line; a cell must be one line");
       }
       const std::size_t closed = end + 1;
-      end = std::min(line.find(',', closed), line.size());
+      end = std::min(line.find(separator_, closed), line.size());
       if (!trimmed(line.substr(closed, end - closed)).empty()) {
         refuse(cells_.size(), "text stands behind the closing quote");
       }
-      cells_.push_back(trimmed(cell));
+      add_cell(trimmed(cell));
     } else {
-      end = std::min(line.find(',', place), line.size());
-      cells_.push_back(trimmed(line.substr(place, end - place)));
+      end = std::min(line.find(separator_, place), line.size());
+      add_cell(trimmed(line.substr(place, end - place)));
     }
     if (end == line.size()) return;
     place = end + 1;
   }
+}
+
+/// Where commas do not separate, one in a number is its decimal point.
+void CsvReader::add_cell(std::string_view cell) {
+  if (separator_ == ',') return cells_.push_back(cell);
+  std::string pointed = with_point(cell);
+  const bool has_point = pointed.empty() && cell.find('.') != cell.npos && number_of(cell);
+  if (has_point || !pointed.empty()) {
+    const char mark = has_point ? '.' : ',';
+    if (decimal_mark_ != 0 && decimal_mark_ != mark) {
+      refuse(cells_.size(),
+             fmt::format("{} has a decimal {}, and cells before it have {}", in_quotes(cell),
+                         has_point ? "point" : "comma", has_point ? "commas" : "points"));
+    }
+    decimal_mark_ = mark;
+  }
+  if (pointed.empty()) return cells_.push_back(cell);
+  cells_.push_back(unquoted_.emplace_back(std::move(pointed)));
 }
 
 }  // namespace torquewright::io

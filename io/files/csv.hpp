@@ -12,17 +12,23 @@
 
 namespace torquewright::io {
 
-/// A table of numbers with a header line, row by row, in flat memory. Cells are separated by commas
-/// and may stand in double quotes; lines that start with # before the header, and empty lines at
-/// the end, are skipped. Every fault is a SpecError with file, line and column.
+/// A table of numbers with a header line, row by row, in flat memory. Cells are separated by what
+/// separates the header's most: commas, semicolons or tabs (a spreadsheet's first line sep=; says
+/// it too), and may stand in double quotes. Where they are not separated by commas, decimals may
+/// have commas; then all have. Lines that start with # before the header, and empty lines at the
+/// end, are skipped. Every fault is a SpecError with file, line and column.
 class CsvReader {
  public:
   /// What a last line is that ends within the row, as that of a recorder that was stopped.
   enum class CutEnd { kRefused, kDropped };
 
-  /// Reads the header. Throws for an empty file, names that stand twice, numbers in place of names,
-  /// and separators other than the comma.
-  explicit CsvReader(const std::filesystem::path& file, CutEnd cut_end = CutEnd::kRefused);
+  /// What a row of units under the header is for those who read the table.
+  enum class UnitsRow { kRefused, kTaken };
+
+  /// Reads the header. Throws for an empty file, names that stand twice and numbers in place of
+  /// names.
+  explicit CsvReader(const std::filesystem::path& file, CutEnd cut_end = CutEnd::kRefused,
+                     UnitsRow units_row = UnitsRow::kRefused);
 
   /// Reads a table without a header line, whose columns have these names; rows begin at the first
   /// line.
@@ -32,6 +38,11 @@ class CsvReader {
   /// The lines that start with # before the header, in order, as they stand; the first 1000.
   const std::vector<std::string>& comments() const { return comments_; }
   std::optional<std::size_t> find(std::string_view name) const;
+  /// The units that stand under the header, by column; empty where no such row stands there, or it
+  /// names none.
+  const std::vector<std::string>& units() const { return units_; }
+  /// How the table differs from one of commas and points, in a sentence; empty if it does not.
+  std::string dialect() const;
 
   /// Goes to the next row; false at the end. Throws for a row of another length than the header,
   /// the header standing again, and an empty line between rows.
@@ -40,6 +51,10 @@ class CsvReader {
   /// The number in a cell of the present row, columns from 0. Throws if it is none: empty, a word,
   /// NaN or infinite, too large, with a decimal comma.
   double number(std::size_t column) const;
+
+  /// The same of a time, which may be a date with a clock's time too (2026-11-28T18:00:00.5Z): then
+  /// in s since 1970.
+  double time(std::size_t column) const;
 
   /// Whether number() would give one.
   bool is_number(std::size_t column) const;
@@ -63,7 +78,11 @@ class CsvReader {
   [[noreturn]] void refuse_row(const std::string& message) const;
 
  private:
+  void find_separator(std::string_view header);
+  void take_units(UnitsRow units_row);
+  bool next_line(std::string_view& line);
   void split(std::string_view line);
+  void add_cell(std::string_view cell);
   void check_encoding(std::string_view first_line) const;
   void check_header() const;
   void check_row() const;
@@ -74,8 +93,13 @@ class CsvReader {
   std::vector<std::string> comments_;
   std::vector<std::string_view> cells_;  ///< Of the present row, trimmed, without quotes.
   CutEnd cut_end_;
+  char separator_ = ',';
+  char decimal_mark_ = 0;  ///< As cells had it so far; 0: none had one.
+  std::vector<std::string> units_;
+  std::optional<std::string> read_ahead_;  ///< The line behind the header, where it is a row.
+  std::string present_;                    ///< That line, once it is the present row.
   std::size_t line_ = 0, cut_line_ = 0;
-  std::vector<std::string> unquoted_;  ///< What cells with doubled quotes refer to.
+  std::vector<std::string> unquoted_;  ///< What cells with quotes or decimal commas refer to.
 };
 
 }  // namespace torquewright::io

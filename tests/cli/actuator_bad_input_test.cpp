@@ -167,10 +167,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{kHeader + "\"0,5\",1,1\n",
                   "line 2, column 1 (time_s): \"0,5\" has a decimal comma; write 1.5, not 1,5"},
         BadMotion{kHeader + "0,5,1,1\n",
-                  "line 2: has 4 cells, the header has 3; decimal commas? write 1.5, not 1,5"},
-        BadMotion{"time_s;knee_velocity_rad_s\n0;1,5\n",
-                  "line 1: the columns are separated by semicolons; must be commas, and decimals "
-                  "points"},
+                  "line 2: has 4 cells, the header has 3; decimal commas? write 1.5, not 1,5, or "
+                  "separate by semicolons"},
+        BadMotion{
+            "time_s;knee_velocity_rad_s;knee_torque_Nm\n0;1,5;1.5\n",
+            "line 2, column 3 (knee_torque_Nm): \"1.5\" has a decimal point, and cells before "
+            "it have commas"},
+        BadMotion{kHeader + "s,rad/s,Nm\n0,1,1\n",
+                  "line 2: is a row of units, and units are stated elsewhere here; delete the "
+                  "line"},
         BadMotion{"time_s,kne_velocity_rad_s\n0,1\n", "no joint \"knee\"; did you mean \"kne\"?"},
         BadMotion{"t," + kHeader + "0,0,1,1\n1,0.1,1,1\n",
                   "\"t\" and \"time_s\" may both be the time; say which it is, --column "

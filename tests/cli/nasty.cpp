@@ -136,7 +136,7 @@ std::vector<Nasty> nasty_tables() {
                 text.substr(Table(text).remarks.size());
        },
        true},
-      {"a spreadsheet's separator", [](const auto& text) { return "sep=,\n" + text; }, true},
+      {"a spreadsheet's separator", [](const auto& text) { return "sep=|\n" + text; }, true},
       {"zero bytes", [](const auto& text) { return text + std::string(3, '\0'); }},
   };
 }

@@ -185,9 +185,9 @@ TEST(NastyInputs, TablesOfOtherPrograms) {
       {"t,T [\xB0"
        "C]\n0,1\n",
        "the header is no UTF-8; convert it: iconv -f latin1 -t utf-8"},
-      {"sep=,\nt,q\n0,1\n",
-       "\"sep=,\" is a spreadsheet's line about separators; delete it, columns are separated by "
-       "commas"},
+      {"sep=|\nt,q\n0,1\n",
+       "\"sep=|\" is a spreadsheet's line about separators; columns may be separated by commas, "
+       "semicolons or tabs"},
       {"t,q\r0,1\r", "its lines end with carriage returns alone; convert it: tr '\\r' '\\n'"}};
   for (const auto& [table, what_to_do] : tables) {
     place.write("table.csv", table);

@@ -122,22 +122,29 @@ INSTANTIATE_TEST_SUITE_P(
         MistakenText{"a,b\n1,2\n3\n", "line 3: has 1 cells, the header has 2"},
         MistakenText{"a,b\n1.5,2,3\n", "line 2: has 3 cells, the header has 2"},
         MistakenText{"a,b\n1,2,3,4,5\n", "line 2: has 5 cells, the header has 2"},
-        MistakenText{"a,b\n1,5,2\n",  // only one of the numbers has a fraction
-                     "line 2: has 3 cells, the header has 2; decimal commas? write 1.5, not 1,5"},
-        MistakenText{"a,b\n1,5,2,5\n",
-                     "line 2: has 4 cells, the header has 2; decimal commas? write 1.5, not 1,5"},
+        MistakenText{
+            "a,b\n1,5,2\n",  // only one of the numbers has a fraction
+            "line 2: has 3 cells, the header has 2; decimal commas? write 1.5, not 1,5, or "
+            "separate by semicolons"},
+        MistakenText{
+            "a,b\n1,5,2,5\n",
+            "line 2: has 4 cells, the header has 2; decimal commas? write 1.5, not 1,5, or "
+            "separate by semicolons"},
         MistakenText{"a,b\n\"1,5\",2\n",
                      "line 2, column 1 (a): \"1,5\" has a decimal comma; write 1.5, not 1,5"},
-        MistakenText{
-            "a;b\n1,5;2,5\n",
-            "line 1: the columns are separated by semicolons; must be commas, and decimals "
-            "points"},
-        MistakenText{
-            "a\tb\n1\t2\n",
-            "line 1: the columns are separated by tabs; must be commas, and decimals points"},
+        MistakenText{"a;b\n1,5;2.5\n",
+                     "line 2, column 2 (b): \"2.5\" has a decimal point, and cells before it have "
+                     "commas"},
+        MistakenText{"a;b\n1;2\n1,2\n",
+                     "line 3: has 1 cells, the header has 2; separated otherwise than the header? "
+                     "one table has one separator"},
+        MistakenText{"a;b\n1.234,5;2\n", "line 2, column 1 (a): \"1.234,5\" is not a number"},
         MistakenText{"a,b\n1;2\n",
-                     "line 2: has 1 cells, the header has 2; separated by semicolons? they "
-                     "must be commas, and decimals points"},
+                     "line 2: has 1 cells, the header has 2; separated otherwise than the header? "
+                     "one table has one separator"},
+        MistakenText{"a,b\n[s],[m]\n1,2\n",
+                     "line 2: is a row of units, and units are stated elsewhere here; delete the "
+                     "line"},
         MistakenText{"a,b\n1,2\na,b\n1,2\n",
                      "line 3: the header stands here again; one file holds one table"},
         MistakenText{"a,b,a\n1,2,3\n",
@@ -156,6 +163,51 @@ INSTANTIATE_TEST_SUITE_P(
                                  "a\0,\0",
                                  6),
                      "line 1: holds bytes that are no text; save it as UTF-8"}));
+
+// Oracle: the numbers as they stand in a table of commas and points.
+TEST(Csv, ReadsTablesAsSpreadsheetsWriteThem) {
+  const test::ScratchFolder folder;
+  const auto numbers = [&](const std::string& text) {
+    return numbers_in(folder.write("t.csv", text));
+  };
+  const auto plain = numbers("a,b\n1.5,-2e-3\n3,4\n");
+  EXPECT_EQ(numbers("a;b\n1,5;-2e-3\n3;4\n"), plain);
+  EXPECT_EQ(numbers("a;b\n1.5;-2e-3\n3;4\n"), plain);
+  EXPECT_EQ(numbers("a\tb\n1.5\t-2e-3\n3\t4\n"), plain);
+  EXPECT_EQ(numbers("sep=;\na;b\n\"1,5\";-0,002\n3;4\n"), plain);
+  io::CsvReader semicolons(folder.write("u.csv", "a;b,c\n1,5;2\n"));
+  ASSERT_TRUE(semicolons.next());
+  EXPECT_EQ(semicolons.header(), (std::vector<std::string>{"a;b", "c"}));  // a tie: commas
+}
+
+TEST(Csv, SaysItsDialectAndItsUnits) {
+  const test::ScratchFolder folder;
+  io::CsvReader table(folder.write("t.csv", "t;q;n\ns;[deg];-\n0,5;2;3\n"),
+                      io::CsvReader::CutEnd::kRefused, io::CsvReader::UnitsRow::kTaken);
+  EXPECT_EQ(table.units(), (std::vector<std::string>{"s", "deg", "-"}));
+  ASSERT_TRUE(table.next());
+  EXPECT_EQ(table.line(), 3u);
+  EXPECT_EQ(table.number(0), 0.5);
+  EXPECT_EQ(table.dialect(), "columns are separated by semicolons, decimals are commas");
+}
+
+// Oracle: the calendar. 2026-11-28 is day 20785 since 1970, by 56 years of 365 days, 14 leap days
+// and 331 days of the year.
+TEST(Csv, ReadsTimesWithADate) {
+  const test::ScratchFolder folder;
+  io::CsvReader table(folder.write(
+      "t.csv",
+      "t,q\n2026-11-28T18:00:00.25Z,1\n2026-11-28 19:30:00.5+01:30,1\n2026-11-28 18:01,1\n7.5,1\n"
+      "2026-02-30 18:00:00,1\n"));
+  const double day_s = (56.0 * 365.0 + 14.0 + 331.0) * 86400.0;
+  for (const double since_s : {day_s + 64800.25, day_s + 64800.5, day_s + 64860.0, 7.5}) {
+    ASSERT_TRUE(table.next());
+    EXPECT_DOUBLE_EQ(table.time(0), since_s);
+  }
+  ASSERT_TRUE(table.next());
+  EXPECT_EQ(test::refusal([&] { table.time(0); }, folder.path()),
+            "t.csv: line 6, column 1 (t): \"2026-02-30 18:00:00\" is not a number");
+}
 
 TEST(Csv, RefusesFoldersAndMissingFiles) {
   const test::ScratchFolder folder;
