@@ -45,7 +45,7 @@ class JointAnalysis {
         options_(options),
         torque_options_(options),
         bench_(make_bench(rig, log, joint, actuators)),
-        levels_(noise_levels(log, joint)),
+        levels_(rig.load.is_steady ? noise_of_states(log, joint) : noise_levels(log, joint)),
         folds_(run_folds(log)) {
     bench_.moves_by_velocity = tells_motion_better(log, bench_, levels_);
   }

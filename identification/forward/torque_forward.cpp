@@ -175,6 +175,25 @@ bool needs_time(const EffectCandidate& candidate) {
          (kind != nullptr && (kind->state_rate != nullptr || kind->acts == Acts::kInertialTorque));
 }
 
+/// Whether the angle of the output, or how far it turned, is in the log: of steady states only
+/// where it was measured.
+bool shows_angle(const Bench& bench, const std::vector<Signals>& signals) {
+  return !bench.rig->load.is_steady ||
+         std::any_of(signals.begin(), signals.end(), [](const Signals& each) {
+           return std::any_of(each.at.begin(), each.at.end(), [&](const actuator::Instant& at) {
+             return at.output_angle_rad != each.at.front().output_angle_rad;
+           });
+         });
+}
+
+/// Whether the effect is a law of the output's or the rotor's angle.
+bool needs_angle(const EffectCandidate& candidate) {
+  const EffectKind* kind = actuator::find_effect(candidate.effect);
+  return candidate.order > 0.0 ||
+         (kind != nullptr && (kind->acts == Acts::kOutputTorque ||
+                              kind->acts == Acts::kMotorSideTorque || kind->has_harmonics));
+}
+
 /// Whether something is later than stated by less than the log can hold: at which instant of its
 /// step a sample was taken no log says.
 bool is_late_by_less(const Hypothesis& hypothesis, const actuator::Actuator& stated,
@@ -261,7 +280,10 @@ ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& s
   const bool is_map = std::none_of(signals.begin(), signals.end(),
                                    [](const Signals& each) { return each.step_s > 0.0; });
   if (is_map) std::erase_if(equation.candidates, needs_time);
-  equation.waves = [&bench, &signals, fold_of_run, ranges](const auto& left) {
+  const bool has_angle = shows_angle(bench, signals);
+  if (!has_angle) std::erase_if(equation.candidates, needs_angle);
+  equation.waves = [&bench, &signals, fold_of_run, ranges, has_angle](const auto& left) {
+    if (!has_angle) return std::vector<EffectCandidate>();
     return waves_of(bench, promising_waves(bench, left, signals, fold_of_run, ranges), ranges);
   };
   return equation;

@@ -7,6 +7,7 @@
 
 #include "io/faults/spec_error.hpp"
 #include "io/text/nearest.hpp"
+#include "io/text/units.hpp"
 #include "io/text/wording.hpp"
 
 namespace torquewright::identification {
@@ -44,8 +45,33 @@ std::string unknown(const std::string& column) {
       column);
 }
 
-Source source_of(const ColumnUse& use, std::size_t column, const Rig& rig) {
+/// What the row under the header says against the column's use; empty if nothing. A number or a run
+/// has no unit.
+std::string objection_to_unit(const ColumnUse& use, const std::string& written) {
+  const std::optional<io::Unit> own = io::find_unit(unit_of(use.quantity));
+  const std::optional<io::Unit> unit = io::find_unit(written);
+  if (written.empty() || !own) return "";
+  if (!unit) {
+    return use.has_unit ? ""
+                        : fmt::format(
+                              "the unit under the header, \"{}\", is not known; state one "
+                              "in the rig ({})",
+                              written, io::either(io::unit_names(own->dimension)));
+  }
+  if (unit->dimension != own->dimension) {
+    return fmt::format("the unit under the header, {}, is none of {}, which the rig says it is",
+                       written, name_of(use.quantity));
+  }
+  return "";
+}
+
+Source source_of(const ColumnUse& use, std::size_t column, const std::string& written,
+                 const Rig& rig) {
   Source source{column, use.quantity, use.scale, use.offset, {}};
+  if (const auto unit = io::find_unit(written); unit && !use.has_unit) {
+    source.scale *= unit->in_SI;
+    source.offset += use.scale * unit->zero_in_SI;
+  }
   if (!use.joint.empty()) {
     const auto joint = std::find(rig.joints.begin(), rig.joints.end(), use.joint);
     source.joint = static_cast<std::size_t>(joint - rig.joints.begin());
@@ -64,16 +90,23 @@ Columns find_columns(const io::CsvReader& csv, const Rig& rig) {
   for (std::size_t i = 0; i < csv.header().size(); ++i) {
     const std::string& name = csv.header()[i];
     const ColumnUse* use = find_use(rig, name);
+    const std::string written = csv.units().empty() ? "" : csv.units()[i];
+    if (use != nullptr) {
+      const std::string objection = objection_to_unit(*use, written);
+      if (!objection.empty()) {
+        faults.push_back({csv.file(), "", fmt::format("column \"{}\": {}", name, objection)});
+      }
+    }
     if (use == nullptr) {
       if (std::find(rig.ignore.begin(), rig.ignore.end(), name) == rig.ignore.end()) {
         faults.push_back({csv.file(), "", unknown(name)});
       }
     } else if (use->quantity == Quantity::kTime) {
-      columns.time = source_of(*use, i, rig);
+      columns.time = source_of(*use, i, written, rig);
     } else if (use->quantity == Quantity::kRun) {
       columns.run = i;
     } else {
-      columns.channels.push_back(source_of(*use, i, rig));
+      columns.channels.push_back(source_of(*use, i, written, rig));
     }
   }
   if (!faults.empty()) throw io::SpecError(std::move(faults));

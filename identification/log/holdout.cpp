@@ -4,7 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <numbers>
+#include <numeric>
 
 #include "identification/log/run_loads.hpp"
 #include "identification/log/stretch.hpp"
@@ -64,11 +67,45 @@ Place two_thirds(const Runs& runs) {
   return {index, left};
 }
 
-void hold_out_last_third(Log& log) {
+/// An order of the rows of which every stretch is spread evenly over all of them: by the fractional
+/// parts of multiples of the golden ratio.
+std::vector<std::size_t> evenly_mixed(std::size_t rows) {
+  std::vector<double> place(rows);
+  for (std::size_t i = 0; i < rows; ++i) {
+    double whole = 0.0;
+    place[i] = std::modf(static_cast<double>(i + 1) * std::numbers::phi, &whole);
+  }
+  std::vector<std::size_t> order(rows);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return place[a] < place[b]; });
+  return order;
+}
+
+/// Steady states stand in the order in which somebody went through them: in it the last third, or
+/// any part of it, would be other speeds and loads than the rest.
+void mix_states(Runs& runs) {
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    runs.change(i, [](Run& run) {
+      const Run ordered = run;
+      const std::vector<std::size_t> order = evenly_mixed(run.masked.size());
+      for (std::size_t to = 0; to < order.size(); ++to) run.masked[to] = ordered.masked[order[to]];
+      for (std::size_t joint = 0; joint < run.joints.size(); ++joint) {
+        for (std::size_t q = 0; q < kQuantityCount; ++q) {
+          std::vector<double>& values = run.joints[joint].of[q];
+          const std::vector<double>& from = ordered.joints[joint].of[q];
+          for (std::size_t to = 0; to < values.size(); ++to) values[to] = from[order[to]];
+        }
+      }
+    });
+  }
+}
+
+void hold_out_last_third(Log& log, bool is_steady) {
   const std::string name = log.runs.head(0).name;
   const auto [index, sample] = two_thirds(log.runs);
-  const std::string first = name + std::string(kFirstPart);
-  const std::string last = name + std::string(kLastPart);
+  const std::string first = name + std::string(is_steady ? kFittedStates : kFirstPart);
+  const std::string last = name + std::string(is_steady ? kHeldOutStates : kLastPart);
   Run rest = log.runs.part(index, sample, log.runs.head(index).samples);
   log.runs.change(index, [sample = sample](Run& whole) {
     const bool continues = whole.continues;
@@ -85,9 +122,11 @@ void hold_out_last_third(Log& log) {
   }
   log.train_runs = {first};
   log.holdout_runs = {last};
-  log.findings.push_back({Weight::kNote, fmt::format("the rig names no holdout_runs and \"{}\" is "
-                                                     "the only run: its last third is held out",
-                                                     name)});
+  log.findings.push_back(
+      {Weight::kNote,
+       fmt::format("the rig names no holdout_runs and \"{}\" is the only run: {} is "
+                   "held out",
+                   name, is_steady ? "a third of its states, evenly spread," : "its last third")});
 }
 
 }  // namespace
@@ -96,7 +135,9 @@ void choose_holdout(Log& log, const Rig& rig) {
   Names names = names_of(log.runs);
   check_stated(names, rig);
   check_run_loads(names, rig);
-  if (rig.holdout_runs.empty() && names.size() == 1) return hold_out_last_third(log);
+  const bool is_steady = rig.load.is_steady;
+  if (is_steady) mix_states(log.runs);
+  if (rig.holdout_runs.empty() && names.size() == 1) return hold_out_last_third(log, is_steady);
   if (rig.holdout_runs.empty()) {
     const auto count = static_cast<std::ptrdiff_t>((names.size() + 2) / 3);
     log.holdout_runs.assign(names.end() - count, names.end());

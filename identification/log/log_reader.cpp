@@ -61,6 +61,8 @@ std::vector<DataFinding> LogReader::findings() const {
       "time");
   say(stale_, Weight::kWarning,
       "that repeat the row before while the joint moves on, words of another time: left out");
+  const std::vector<DataFinding> empty = empty_cells_.findings(rig_);
+  all.insert(all.end(), empty.begin(), empty.end());
   return all;
 }
 
@@ -82,7 +84,8 @@ bool LogReader::next_stretch(Stretch& stretch) {
 }
 
 void LogReader::open_file() {
-  csv_ = std::make_unique<io::CsvReader>(files_[file_], io::CsvReader::CutEnd::kDropped);
+  csv_ = std::make_unique<io::CsvReader>(files_[file_], io::CsvReader::CutEnd::kDropped,
+                                         io::CsvReader::UnitsRow::kTaken);
   columns_ = find_columns(*csv_, rig_);
   clock_ = {};
   names_in_file_.clear();
@@ -98,6 +101,15 @@ void LogReader::close_file() {
         {Weight::kNote, fmt::format("{}: the last line, {}, ends within the row: it "
                                     "is left out",
                                     csv_->file(), csv_->cut_line())});
+  }
+  const std::string dialect = csv_->dialect();
+  if (!dialect.empty()) {
+    findings_.push_back({Weight::kNote, fmt::format("{}: {}", csv_->file(), dialect)});
+  }
+  if (!csv_->units().empty()) {
+    findings_.push_back({Weight::kNote, fmt::format("{}: the row under the header names units, "
+                                                    "which hold where the rig states none",
+                                                    csv_->file())});
   }
   if (!clock_.sentence().empty()) {
     findings_.push_back({Weight::kNote, fmt::format("{}: {}", csv_->file(), clock_.sentence())});
@@ -125,7 +137,7 @@ void LogReader::read_row() {
   }
   if (!columns_.time) return append(0.0);
   const Source& time = *columns_.time;
-  const double stated_s = csv_->number(time.column) * time.scale + time.offset;
+  const double stated_s = csv_->time(time.column) * time.scale + time.offset;
   csv_->require_within(time.column, stated_s, kGreatestReading);
   const double time_s = clock_.since_origin_s(stated_s);
   const bool has_previous = at_once_ > 0;
@@ -145,13 +157,18 @@ void LogReader::read_row() {
   append(time_s);
 }
 
-/// All channels of it are those of the row before.
+/// All channels of it are those of the row before; an empty cell says nothing else.
 bool LogReader::repeats_row() const {
   return std::all_of(columns_.channels.begin(), columns_.channels.end(), [&](const Source& source) {
     const Channels& channels = run_.joints[source.joint.value_or(0)];
-    return channels[source.quantity].back() ==
-           csv_->number(source.column) * source.scale + source.offset;
+    const std::optional<double> value = cell(source);
+    return !value || channels[source.quantity].back() == *value;
   });
+}
+
+std::optional<double> LogReader::cell(const Source& source) const {
+  if (csv_->text(source.column).empty()) return std::nullopt;
+  return csv_->number(source.column) * source.scale + source.offset;
 }
 
 /// Where a joint went on as it had come while the rows before this one said the same, they are left
@@ -161,8 +178,9 @@ void LogReader::drop_if_stale(double next_s) {
   for (std::size_t i = 0; i < columns_.channels.size(); ++i) {
     const Source& source = columns_.channels[i];
     const std::vector<double>& position = run_.joints[source.joint.value_or(0)][source.quantity];
-    if (!is_position(source.quantity) || position.empty()) continue;
-    const double next = csv_->number(source.column) * source.scale + source.offset;
+    const std::optional<double> given = cell(source);
+    if (!is_position(source.quantity) || position.empty() || !given) continue;
+    const double next = *given;
     const Printed& printed =
         printed_[source.joint.value_or(0)][static_cast<std::size_t>(source.quantity)];
     const double digit = std::abs(printed.scale) * printed.digits.last_digit();
@@ -173,6 +191,7 @@ void LogReader::drop_if_stale(double next_s) {
   if (!is_stale) return;
   stale_.add(run_.name, repeats_);
   drop_last(run_, repeats_);
+  empty_cells_.forget_rows();
   stamp_s_ = run_.time_s.back();
   previous_s_ = stamp_s_;
 }
@@ -213,6 +232,7 @@ void LogReader::begin_run(std::string_view name) {
   }
   run_.joints.assign(rig_.joints.size(), {});
   resolution_.assign(columns_.channels.size(), {});
+  empty_cells_.begin_run(columns_.channels.size());
   repeats_ = 0;
   is_in_run_ = true;
   median_s_.reset();
@@ -248,15 +268,19 @@ void LogReader::check_time(double time_s) {
 
 void LogReader::append(double time_s) {
   if (columns_.time) run_.time_s.push_back(time_s);
-  for (const Source& source : columns_.channels) {
-    const double value = csv_->number(source.column) * source.scale + source.offset;
-    csv_->require_within(source.column, value, kGreatestReading);
-    require_possible(source, value);
+  run_.masked.push_back(0);
+  for (std::size_t i = 0; i < columns_.channels.size(); ++i) {
+    const Source& source = columns_.channels[i];
+    const std::optional<double> value = cell(source);
+    if (value) {
+      csv_->require_within(source.column, *value, kGreatestReading);
+      require_possible(source, *value);
+    }
     const std::size_t first = source.joint.value_or(0);
     const std::size_t end = source.joint ? first + 1 : run_.joints.size();
     for (std::size_t joint = first; joint < end; ++joint) append(source, joint, value);
+    empty_cells_.add(i, {source.quantity, first, end}, value.has_value(), run_);
   }
-  run_.masked.push_back(0);
   if (!columns_.time && holds_piece()) hand_over_piece();
 }
 
@@ -285,8 +309,11 @@ void LogReader::require_possible(const Source& source, double value) const {
                   actuator::kColdestWinding_K, actuator::kHottestWinding_K, hint));
 }
 
-void LogReader::append(const Source& source, std::size_t joint, double value) {
-  run_.joints[joint][source.quantity].push_back(value);
+/// In an empty cell's place stands a number that EmptyCells replaces.
+void LogReader::append(const Source& source, std::size_t joint, std::optional<double> value) {
+  std::vector<double>& values = run_.joints[joint][source.quantity];
+  values.push_back(value.value_or(values.empty() ? 0.0 : values.back()));
+  if (!value) return;
   Printed& printed = printed_[joint][static_cast<std::size_t>(source.quantity)];
   printed.scale = source.scale;
   printed.digits.add(csv_->text(source.column));
@@ -305,6 +332,7 @@ void LogReader::hand_over_piece() {
   run_ = part_of(run_, 0, end);
   hand_over(0, end);
   run_ = std::move(rest);
+  empty_cells_.forget_rows();
   gap_.reset();
   continues_ = true;
 }
@@ -322,7 +350,10 @@ void LogReader::learn_step() {
     gap_ = {run_.time_s[i - 1], step_s, *median_s_};
     begin = i;
   }
-  if (begin > 0) run_ = part_of(run_, begin, run_.masked.size());
+  if (begin > 0) {
+    run_ = part_of(run_, begin, run_.masked.size());
+    empty_cells_.forget_rows();
+  }
 }
 
 /// Across a gap between two rows, of which the later may not stand in the run yet. Of an angle that
@@ -331,9 +362,7 @@ bool LogReader::turns_too_far(std::size_t row) const {
   return std::any_of(columns_.channels.begin(), columns_.channels.end(), [&](const Source& source) {
     if (!is_angle(source.quantity)) return false;
     const std::vector<double>& values = run_.joints[source.joint.value_or(0)][source.quantity];
-    const double next = row < values.size()
-                            ? values[row]
-                            : csv_->number(source.column) * source.scale + source.offset;
+    const double next = row < values.size() ? values[row] : cell(source).value_or(values[row - 1]);
     return std::abs(next - values[row - 1]) > kQuarterTurn_rad;
   });
 }
@@ -371,10 +400,12 @@ void LogReader::hand_over(std::size_t begin, std::size_t end) {
   const bool is_whole = begin == 0 && end == run_.masked.size();
   const std::string name = run_.name;
   Run run = is_whole ? std::move(run_) : part_of(run_, begin, end);
+  for (std::uint8_t& each : run.masked) each = each != 0;
   run.continues = continues_;
   continues_ = false;
   ready_.push_back({std::move(run), file_, gap_});
   if (!is_whole) return;
+  empty_cells_.forget_rows();
   run_ = {};
   run_.name = name;
   run_.joints.assign(rig_.joints.size(), {});

@@ -12,6 +12,7 @@
 
 #include "actuator/trajectory/clock.hpp"
 #include "identification/log/columns.hpp"
+#include "identification/log/empty_cells.hpp"
 #include "identification/log/log.hpp"
 #include "identification/log/printed_digits.hpp"
 #include "identification/log/stale_rows.hpp"
@@ -65,7 +66,9 @@ class LogReader {
   void append(double time_s);
   void require_possible(const Source& source, double value) const;
   void warn_of_long_steps();
-  void append(const Source& source, std::size_t joint, double value);
+  /// The value in a source's cell of the present row; none where it is empty.
+  std::optional<double> cell(const Source& source) const;
+  void append(const Source& source, std::size_t joint, std::optional<double> value);
   void learn_step();
   bool turns_too_far(std::size_t row) const;
   bool holds_piece() const;
@@ -98,6 +101,7 @@ class LogReader {
     void add(const std::string& run, std::size_t rows);
   };
   Rows repeated_, spread_, stale_;
+  EmptyCells empty_cells_;
   std::size_t repeats_ = 0;             ///< Number of last rows that repeat the row before them.
   std::vector<Resolution> resolution_;  ///< Resolutions of positions, by channel of columns_.
   std::vector<DataFinding> findings_;   ///< Findings on the files.

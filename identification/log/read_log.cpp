@@ -131,6 +131,14 @@ void rename_runs(const std::vector<Stretch>& stretches, Runs& runs) {
   }
 }
 
+/// What a sensor did from one sample to the next: of steady states none has a next.
+void mend_and_check_motion(const Rig& rig, Log& log) {
+  Repairs repairs;
+  repair(log.runs, rig, repairs);
+  report(repairs, rig, log.findings);
+  check_motion(log, rig);
+}
+
 }  // namespace
 
 Log read_log(const std::vector<std::filesystem::path>& files, const Rig& rig,
@@ -148,10 +156,7 @@ Log read_log(const std::vector<std::filesystem::path>& files, const Rig& rig,
   report_gaps(stretches, log.findings);
   log.printed = reader.printed_steps();
   report_rig(rig, log.findings);
-  Repairs repairs;
-  repair(log.runs, rig, repairs);
-  report(repairs, rig, log.findings);
-  check_motion(log, rig);
+  if (!rig.load.is_steady) mend_and_check_motion(rig, log);
   add_commanded_torques(rig, log);
   choose_holdout(log, rig);
   report_length(log);

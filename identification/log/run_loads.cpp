@@ -12,7 +12,7 @@
 namespace torquewright::identification {
 
 const Load& load_of(const Rig& rig, std::string_view run) {
-  for (const std::string_view part : {kFirstPart, kLastPart}) {
+  for (const std::string_view part : {kFirstPart, kLastPart, kFittedStates, kHeldOutStates}) {
     if (!rig.loads.contains(run) && run.ends_with(part)) run.remove_suffix(part.size());
   }
   const auto own = rig.loads.find(run);

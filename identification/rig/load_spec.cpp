@@ -33,6 +33,7 @@ const Keys& keys_of(LoadType type) {
 /// All that may stand there beside the type.
 Keys allowed_keys_of(LoadType type) {
   Keys keys = keys_of(type);
+  if (type == LoadType::kDynamometer) keys.emplace_back("steady");
   if (type == LoadType::kRobot) {
     keys.insert(keys.end(), {"base", "held_rad", "roll_rad", "pitch_rad"});
   }
@@ -63,6 +64,7 @@ Load load_of_json(const json& load,
   read.mass_kg = load.value("mass_kg", 0.0);
   read.length_m = load.value("length_m", 0.0);
   read.inertia_kg_m2 = load.value("inertia_kg_m2", 0.0);
+  read.is_steady = load.value("steady", false);
   read.roll_rad = load.value("roll_rad", 0.0);
   read.pitch_rad = load.value("pitch_rad", 0.0);
   for (const json& link : load.value("links", json::array())) {

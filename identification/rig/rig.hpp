@@ -27,6 +27,7 @@ struct ColumnUse {
   double offset = 0.0;
   /// Joint of a serial arm; empty: the column holds for all joints, or there is only one.
   std::string joint;
+  bool has_unit = false;  ///< The document states the column's unit, or a scale.
 };
 
 enum class LoadType { kDynamometer, kFree, kPendulum, kLinearAxis, kSerialArm, kRobot };
@@ -52,6 +53,8 @@ struct Load {
   double roll_rad = 0.0;       ///< Robot: how its base is turned about the world's x,
   double pitch_rad = 0.0;      ///< and before that about the world's y.
   std::shared_ptr<const RobotLoad> robot;
+  /// Dynamometer: rows are steady states, each by itself, in no order of time.
+  bool is_steady = false;
   friend bool operator==(const Load&, const Load&) = default;
 };
 

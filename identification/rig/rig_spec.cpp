@@ -150,9 +150,12 @@ class RigReader {
       const json fields = entry.is_string() ? json::object() : entry;
       const double scale = fields.value("scale", 1.0);
       const io::Unit unit = unit_of_column(*quantity, fields, path);
-      const ColumnUse use{column, *quantity, scale * unit.in_SI,
+      const ColumnUse use{column,
+                          *quantity,
+                          scale * unit.in_SI,
                           scale * unit.zero_in_SI + fields.value("offset", 0.0),
-                          fields.value("joint", "")};
+                          fields.value("joint", ""),
+                          fields.contains("unit") || fields.contains("scale")};
       if (rig_.load.type == LoadType::kRobot && is_pattern(column)) {
         read_pattern(use, path);
         continue;
@@ -320,17 +323,36 @@ class RigReader {
     }
   }
 
-  /// A log without time is a quasi-static map: holding values over positions.
+  /// No row of a steady log has a before: its time is not read.
+  void leave_out_time() {
+    const auto is_time = [](const ColumnUse& use) { return use.quantity == Quantity::kTime; };
+    for (const ColumnUse& use : rig_.columns) {
+      if (is_time(use)) rig_.ignore.push_back(use.column);
+    }
+    std::erase_if(rig_.columns, is_time);
+  }
+
+  /// A log without time is a quasi-static map: holding values over positions; or its rows are
+  /// steady states.
   void require_time() {
     const auto has = [&](auto&& predicate) {
       return std::any_of(rig_.columns.begin(), rig_.columns.end(),
                          [&](const ColumnUse& use) { return predicate(use.quantity); });
     };
+    if (rig_.load.is_steady) {
+      leave_out_time();
+      if (!has(needs_time) && !has(is_position)) {
+        report("/columns", "no column is a velocity or a position; steady states are states of it");
+      }
+      return;
+    }
     if (rig_.columns.empty() || has([](Quantity one) { return one == Quantity::kTime; })) return;
     if (has(needs_time)) {
-      report("/columns",
-             "no column is time_s, but one is a velocity; a log without time is a map "
-             "of holding values over positions");
+      report(
+          "/columns",
+          "no column is time_s, but one is a velocity; a log without time is a map "
+          "of holding values over positions, or its rows are steady states: say \"steady\": true "
+          "in the load of a dynamometer");
     } else if (!has(is_position)) {
       report("/columns",
              "no column is time_s, and none is a position; without time a log must be a "

@@ -15,6 +15,9 @@ constexpr std::size_t kRefinedPairs = 4;
 constexpr std::size_t kRefinedSwaps = 4;
 constexpr std::size_t kMostMembers = 12;
 constexpr std::size_t kMostRounds = 12;
+/// A fit that leaves more than this share above what another start leaves before its first step has
+/// not come to its optimum.
+constexpr double kSameSquares = 0.01;
 
 bool is_wave(const EffectCandidate& candidate) { return candidate.order > 0.0; }
 
@@ -64,6 +67,21 @@ double unseen_squares(const ModelFit& model) {
 
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+std::string bytes_of(const Eigen::VectorXd& values) {
+  return {reinterpret_cast<const char*>(values.data()),
+          static_cast<std::size_t>(values.size()) * sizeof(double)};
+}
+
+/// The model's coordinates but for those of one member.
+Eigen::VectorXd others_than(const ModelFit& model, std::size_t member) {
+  const Eigen::Index first = model.first_of(member);
+  const auto count = static_cast<Eigen::Index>(model.members[member]->parameters.size());
+  Eigen::VectorXd others(model.coordinates.size() - count);
+  others << model.coordinates.head(first),
+      model.coordinates.tail(model.coordinates.size() - first - count);
+  return others;
 }
 
 /// Effects with the coordinates at which their fit starts.
@@ -121,21 +139,31 @@ Search::Key Search::key_of(const EffectSet& members) const {
 
 const ModelFit& Search::fitted(const EffectSet& members, const Eigen::VectorXd& start) {
   Key key = key_of(members);
+  const bool is_new_start = asked_from_.insert({key, bytes_of(start)}).second;
   const auto known = fits_.find(key);
-  if (known != fits_.end()) return known->second;
-  if (rules_.before_each_fit) rules_.before_each_fit();
-  return fits_.emplace(std::move(key), fitter_.fit(members, start)).first->second;
+  if (known == fits_.end()) {
+    if (rules_.before_each_fit) rules_.before_each_fit();
+    return fits_.emplace(std::move(key), fitter_.fit(members, start)).first->second;
+  }
+  if (!is_new_start) return known->second;
+  const bool is_stuck = training_squares(fitter_.residual(members, start)) <
+                        (1.0 - kSameSquares) * training_squares(known->second.residual);
+  return is_stuck ? tried_again(members, start) : known->second;
 }
 
 const ModelFit& Search::without(const ModelFit& model, std::size_t member) {
   EffectSet members = model.members;
   members.erase(members.begin() + static_cast<std::ptrdiff_t>(member));
-  const Eigen::Index first = model.first_of(member);
-  const auto count = static_cast<Eigen::Index>(model.members[member]->parameters.size());
-  Eigen::VectorXd start(model.coordinates.size() - count);
-  start << model.coordinates.head(first),
-      model.coordinates.tail(model.coordinates.size() - first - count);
+  const Eigen::VectorXd start = others_than(model, member);
   return fitted(members, start);
+}
+
+double Search::training_squares(const Eigen::VectorXd& residual) const {
+  double squares = 0.0;
+  for (const Rows::Block& block : fitter_.rows().blocks()) {
+    if (!block.is_held_out()) squares += residual.segment(block.begin, block.count).squaredNorm();
+  }
+  return squares;
 }
 
 const ModelFit& Search::with(const ModelFit& model, const Prospect& prospect) {
@@ -148,7 +176,7 @@ const ModelFit& Search::tried_again(const EffectSet& members, const Eigen::Vecto
   if (rules_.before_each_fit) rules_.before_each_fit();
   ModelFit fit = fitter_.fit(members, start);
   const auto [known, is_new] = fits_.try_emplace(key_of(members), fit);
-  const bool is_better = !known->second.is_valid || fit.unseen_loss < known->second.unseen_loss;
+  const bool is_better = !known->second.is_valid || fit.loss < known->second.loss;
   if (!is_new && fit.is_valid && is_better) known->second = std::move(fit);
   return known->second;
 }
@@ -295,13 +323,16 @@ const ModelFit* Search::by_parts(const ModelFit& model) {
     for (const EffectCandidate* part : parts) choices.push_back({part});
     if (parts.size() > 1) choices.push_back(parts);
     if (!offset.empty()) choices.push_back(offset);
-    const ModelFit& less = without(model, m);
+    ModelFit less;
+    less.always = model.always;
+    less.members = model.members;
+    less.members.erase(less.members.begin() + static_cast<std::ptrdiff_t>(m));
+    const Eigen::VectorXd others = others_than(model, m);
     const ModelFit* best = nullptr;
     for (const EffectSet& choice : choices) {
       if (choice.size() > model.members[m]->parameters.size()) continue;
       Prospect prospect;
-      std::vector<double> start(less.coordinates.data(),
-                                less.coordinates.data() + less.coordinates.size());
+      std::vector<double> start(others.data(), others.data() + others.size());
       for (const EffectCandidate* part : choice) {
         if (less.holds(part->effect)) continue;
         prospect.added.push_back(part);
@@ -368,7 +399,9 @@ void Search::take_rivals(const ModelFit& best, Found& found) const {
   const auto is_more_of_the_same = [&](const ModelFit& rival) {
     return std::any_of(best.members.begin(), best.members.end(), [&](const EffectCandidate* own) {
       return std::any_of(rival.members.begin(), rival.members.end(),
-                         [&](const EffectCandidate* other) { return is_more_than(*other, *own); });
+                         [&](const EffectCandidate* other) {
+                           return !best.holds(other->effect) && is_more_than(*other, *own);
+                         });
     });
   };
   for (const auto& [key, fit] : fits_) {

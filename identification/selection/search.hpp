@@ -5,7 +5,9 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "identification/selection/comparison.hpp"
@@ -89,8 +91,11 @@ class Search {
   /// of reports depend on the run.
   using Key = std::vector<std::size_t>;
   Key key_of(const EffectSet& members) const;
+  /// What was fitted before is fitted again from a start that leaves less as it is: the one before
+  /// did not lead to the optimum.
   const ModelFit& fitted(const EffectSet& members, const Eigen::VectorXd& start);
   const ModelFit& without(const ModelFit& model, std::size_t member);
+  double training_squares(const Eigen::VectorXd& residual) const;
   const ModelFit& with(const ModelFit& model, const Prospect& prospect);
   const ModelFit& tried_again(const EffectSet& members, const Eigen::VectorXd& start);
   bool asks(const EffectCandidate& candidate) const;
@@ -112,6 +117,7 @@ class Search {
   bool turned_one_way_;
   EffectSet candidates_;
   std::map<Key, ModelFit> fits_;
+  std::set<std::pair<Key, std::string>> asked_from_;  ///< Models and starts, as bytes.
   Screening first_;
 };
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "identification/signals/scatter.hpp"
 #include "identification/signals/signal.hpp"
 
 namespace torquewright::identification {
@@ -107,6 +108,18 @@ NoiseLevels noise_levels(const Log& log, std::size_t joint) {
   NoiseLevels levels{};
   for (std::size_t q = 0; q < kQuantityCount; ++q) {
     levels[q] = level_of(channels[q], static_cast<Quantity>(q), printed[q]);
+  }
+  return levels;
+}
+
+NoiseLevels noise_of_states(const Log& log, std::size_t joint) {
+  NoiseLevels levels{};
+  const PrintedSteps printed = joint < log.printed.size() ? log.printed[joint] : PrintedSteps{};
+  for (std::size_t q = 0; q < kQuantityCount; ++q) levels[q] = deviation_of_step(printed[q]);
+  const Scatter scatter(log, joint);
+  for (const Quantity each : scatter.dependent()) {
+    double& level = levels[static_cast<std::size_t>(each)];
+    level = std::max(level, scatter.level(each));
   }
   return levels;
 }

@@ -15,4 +15,9 @@ namespace torquewright::identification {
 using NoiseLevels = std::array<double, kQuantityCount>;
 NoiseLevels noise_levels(const Log& log, std::size_t joint);
 
+/// The same of steady states, none of which has a neighbour in time: what depends on speed and
+/// drive (torque sensor, voltages) has its scatter about neighbouring states (scatter.hpp), which
+/// holds the noise of these two as well; they themselves have the last digit that the log writes.
+NoiseLevels noise_of_states(const Log& log, std::size_t joint);
+
 }  // namespace torquewright::identification

@@ -79,6 +79,11 @@ std::optional<Shaft> shaft_with_both(const Channels& channels) {
   return std::nullopt;
 }
 
+bool has_velocity(const Channels& channels) {
+  return channels.has(Quantity::kOutputVelocity) || channels.has(Quantity::kLinearVelocity) ||
+         channels.has(Quantity::kMotorVelocity);
+}
+
 /// Least squares of dq/dt = scale v + early dv/dt, all below the band of the equations.
 class VelocityAgainstPosition {
  public:
@@ -136,7 +141,8 @@ JointMotion read_motion(ChannelGrid& grid, const actuator::Actuator& actuator, b
   if (raw != nullptr && !by_velocity) raw->values = motion.position_rad;
   if (is_known && !by_velocity) motion.position_rad = grid.filtered(motion.position_rad);
   if (grid.is_map()) {
-    motion.velocity_rad_s.assign(grid.count(), 0.0);
+    motion.velocity_rad_s =
+        by_velocity ? read_velocity(grid, ratio) : std::vector<double>(grid.count(), 0.0);
     motion.acceleration_rad_s2.assign(grid.count(), 0.0);
     motion.position_rad.resize(grid.count(), 0.0);
     return motion;
@@ -155,6 +161,7 @@ JointMotion read_motion(ChannelGrid& grid, const actuator::Actuator& actuator, b
 }
 
 bool tells_motion_better(const Log& log, const Bench& bench, const NoiseLevels& levels) {
+  if (bench.rig->load.is_steady) return has_velocity(log.runs.front().joints[bench.joint]);
   const auto shaft = shaft_with_both(log.runs.front().joints[bench.joint]);
   if (!shaft || log.runs.head(0).is_map) return false;
   const double position = levels[static_cast<std::size_t>(shaft->position)];

@@ -209,6 +209,15 @@ void set_time(const ChannelGrid& grid, Signals& signals) {
   }
 }
 
+/// Of states, each by itself; 0 of one at rest.
+std::vector<double> signs(const std::vector<double>& speeds) {
+  std::vector<double> signs;
+  for (const double speed : speeds) {
+    signs.push_back(speed == 0.0 ? 0.0 : std::copysign(1.0, speed));
+  }
+  return signs;
+}
+
 /// One stretch, still at the raw rate. The order of reads: see ChannelGrid.
 Signals raw_signals(ChannelGrid& grid, const Bench& bench, const NoiseLevels& levels,
                     const PreparationOptions& options) {
@@ -216,10 +225,11 @@ Signals raw_signals(ChannelGrid& grid, const Bench& bench, const NoiseLevels& le
   RawMotion raw;
   const JointMotion motion = read_own_motion(grid, bench, levels, raw);
   const std::vector<double> direction =
-      grid.is_map() ? std::vector<double>(grid.count(), 0.0)
+      grid.is_map() ? signs(motion.velocity_rad_s)
                     : directions(motion.velocity_rad_s, raw, options.cutoff_Hz);
   Signals signals;
   signals.pole_pairs = actuator.motor.pole_pairs;
+  signals.is_steady = bench.rig->load.is_steady;
   set_time(grid, signals);
   if (!grid.is_map()) signals.cutoff_Hz = options.cutoff_Hz;
   const std::vector<double> temperature_K = winding_temperature_K(grid, actuator);
@@ -232,6 +242,10 @@ Signals raw_signals(ChannelGrid& grid, const Bench& bench, const NoiseLevels& le
   set_twist(grid, motor_angle_rad, actuator.transmission.ratio, motion, signals);
   set_drive(grid, bench, levels, options.cutoff_Hz, signals);
   std::vector<std::uint8_t> rest;
+  if (bench.rig->load.is_steady && bench.moves_by_velocity) {
+    // What friction holds at rest is anything up to its level.
+    for (const double each : direction) rest.push_back(each == 0.0);
+  }
   if (!grid.is_map())
     rest = rests(grid, bench, motion, raw, play_of(raw, options.cutoff_Hz), options.cutoff_Hz);
   set_usable(grid, rest, signals);

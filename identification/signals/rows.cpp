@@ -17,6 +17,8 @@ constexpr double kRowShortestBlock_s = 0.4;
 constexpr double kRowBlocksOfShortLog = 48.0;
 constexpr double kRowMostBlocks = 400.0;
 constexpr std::size_t kRowBlocksOfMap = 4;  ///< Of each of its stretches.
+/// Of steady states, which are independent of one another: so many of them make one block.
+constexpr std::size_t kRowStatesOfBlock = 6;
 constexpr std::size_t kRowLeastFolds = 3;
 constexpr std::size_t kRowPieces = 4;  ///< In all, where runs are cut.
 
@@ -43,6 +45,12 @@ std::vector<std::size_t> usable_rows_of(const Signals& signals, double cutoff_Hz
 
 double stretch_s(const Signals& stretch) {
   return static_cast<double>(stretch.core_size()) * stretch.step_s;
+}
+
+std::size_t blocks_of_map(const Signals& stretch) {
+  if (!stretch.is_steady) return kRowBlocksOfMap;
+  const auto most = static_cast<std::size_t>(kRowBlocksOfShortLog);
+  return std::clamp(stretch.core_size() / kRowStatesOfBlock, kRowBlocksOfMap, most);
 }
 
 /// Shorter for a short log, longer for a long one, so that a spread can be estimated.
@@ -105,7 +113,7 @@ void Rows::cut(const Signals& stretch, std::size_t first_row, std::size_t rows, 
       stretch.step_s > 0.0
           ? std::max<std::size_t>(
                 1, static_cast<std::size_t>(std::round(stretch_s(stretch) / block_s)))
-          : kRowBlocksOfMap;
+          : blocks_of_map(stretch);
   const double length = static_cast<double>(stretch.core_size()) / static_cast<double>(pieces);
   std::size_t begin = 0;
   for (std::size_t p = 0; p < pieces && begin < rows; ++p) {

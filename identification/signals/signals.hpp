@@ -37,6 +37,7 @@ struct Signals {
   std::string run_name;
   double step_s = 0.0;         ///< Step of the grid.
   double sample_step_s = 0.0;  ///< Mean step of the log; 0 in a map without time.
+  bool is_steady = false;      ///< Its samples are steady states, in no order of time.
   double cutoff_Hz = 0.0;      ///< Cut-off of the low-pass that they have passed; 0: none.
   double pole_pairs = 1.0;
   double start_s = 0.0;

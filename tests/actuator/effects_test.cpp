@@ -145,6 +145,27 @@ TEST(Effects, AreThoseOfTheDocumentation) {
   EXPECT_EQ(documented, known);
 }
 
+// Oracles: closed forms. A power's ratios, its special cases at powers 0, 1 and 2, the line that it
+// is below 1 mrad/s; it takes power in either direction.
+TEST(PowerLawDrag, IsAPowerOfTheSpeedAndALineNextToRest) {
+  const auto torque_Nm = [](double exponent, double speed_rad_s) {
+    const Effect drag = effect("power_law_drag", {0.4, exponent});
+    Instant at;
+    at.speed_rad_s = speed_rad_s;
+    at.direction = speed_rad_s == 0.0 ? 0.0 : std::copysign(1.0, speed_rad_s);
+    return drag.kind->law(drag, at);
+  };
+  for (const double speed : {0.002, 1.0, 7.0, 300.0}) {
+    EXPECT_DOUBLE_EQ(torque_Nm(0.0, speed), -0.4);
+    EXPECT_DOUBLE_EQ(torque_Nm(1.0, speed), -0.4 * speed);
+    EXPECT_DOUBLE_EQ(torque_Nm(2.0, speed), -0.4 * speed * speed);
+    EXPECT_NEAR(torque_Nm(0.7, 2.0 * speed) / torque_Nm(0.7, speed), std::exp2(0.7), 1e-12);
+    EXPECT_DOUBLE_EQ(torque_Nm(0.7, -speed), -torque_Nm(0.7, speed));
+  }
+  EXPECT_EQ(torque_Nm(0.7, 0.0), 0.0);
+  EXPECT_NEAR(torque_Nm(0.7, 5e-4), 0.5 * torque_Nm(0.7, 1e-3), 1e-15);
+}
+
 // Oracles: closed forms. The slope at rest is 2 T/w_c; the drag peaks at w_c, and is the same at
 // w_c x and w_c / x; whatever the speed it takes power.
 TEST(EddyCurrentDrag, RisesToItsPeakAndFallsBeyond) {

@@ -188,8 +188,8 @@ std::string equation_section(const EquationResult& equation, const Identificatio
                               : badge(equation.verdict));
   if (!equation.unusable.empty()) return text + paragraph(equation.unusable) + "</section>\n";
   text += paragraph(
-      fmt::format("Up to {:g} Hz: {} rms on held-out runs, {} on fitted ones; noise floor {}.",
-                  equation.band_Hz, rms_text(equation.before.holdout_rms, equation.unit),
+      fmt::format("Counted {}: {} rms on held-out runs, {} on fitted ones; noise floor {}.",
+                  band_words(equation), rms_text(equation.before.holdout_rms, equation.unit),
                   rms_text(equation.before.train_rms, equation.unit),
                   rms_text(equation.noise_floor_rms, equation.unit)));
   if (select)

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "src/report/identification/identification_plots.hpp"
+#include "src/report/identification/identification_words.hpp"
 #include "src/report/parts/svg.hpp"
 
 namespace torquewright::report {
@@ -41,9 +42,9 @@ std::string runs_section(const EquationResult& equation, Pictures& pictures) {
       "<h3>Measured and predicted, run by run</h3>\n<p class=\"soft\"><span class=\"key\" "
       "style=\"background:#b9c2cb\"></span>measured <span class=\"key\" "
       "style=\"background:#d55e00\"></span>as stated <span class=\"key\" "
-      "style=\"background:#0072b2\"></span>refined; up to {:g} Hz, where a point was used; of more "
+      "style=\"background:#0072b2\"></span>refined; {}, where a point was used; of more "
       "than 600 points the least and the greatest of each three-hundredth{}</p>\n{}{}",
-      equation.band_Hz, which,
+      band_words(equation), which,
       pictures.draw(run_plot(equation), "Measured and predicted by time, run by run"),
       runs_table(equation));
 }

@@ -47,10 +47,10 @@ std::string log_lines(const Identification& found) {
 
 std::string residual_lines(const EquationResult& equation) {
   std::string text =
-      line("2 residual", fmt::format("{} up to {:g} Hz: {} rms on held-out runs, {} on fitted ones",
-                                     equation.quantity, equation.band_Hz,
-                                     rms(equation.before.holdout_rms, equation.unit),
-                                     rms(equation.before.train_rms, equation.unit)));
+      line("2 residual",
+           fmt::format("{} {}: {} rms on held-out runs, {} on fitted ones", equation.quantity,
+                       band_words(equation), rms(equation.before.holdout_rms, equation.unit),
+                       rms(equation.before.train_rms, equation.unit)));
   text += line("3 noise floor",
                fmt::format("{}; {}", rms(equation.noise_floor_rms, equation.unit),
                            equation.is_noise_before ? "the residual is noise"

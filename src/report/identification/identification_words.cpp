@@ -129,6 +129,11 @@ std::string correction_text(const Correction& correction) {
                      with_error(correction.value, correction.standard_error));
 }
 
+std::string band_words(const identification::EquationResult& equation) {
+  const bool is_map = !equation.runs.empty() && equation.runs.front().is_map;
+  return is_map ? "row by row" : fmt::format("up to {:g} Hz", equation.band_Hz);
+}
+
 std::string name_of_equation(const EquationResult& equation) {
   return equation.joint.empty() ? equation.quantity : equation.joint + ": " + equation.quantity;
 }

@@ -38,6 +38,10 @@ std::string correction_text(const identification::Correction& correction);
 /// "output_torque_Nm", with the joint before it on a serial arm.
 std::string name_of_equation(const identification::EquationResult& equation);
 
+/// Returns the band that counts, "up to 8 Hz"; of a map without time, whose rows have none, "row by
+/// row".
+std::string band_words(const identification::EquationResult& equation);
+
 /// "load_torque_Nm x direction".
 std::string name_of_coordinate(const identification::ResidualStructure& structure);
 

@@ -52,6 +52,64 @@ TEST(ReadLog, ScalesAndSorts) {
   EXPECT_EQ(result.log.holdout_runs, std::vector<std::string>{"b"});
 }
 
+// Oracle: the numbers by hand. The rig's unit goes before the row's; a row that contradicts the
+// quantity is refused.
+TEST(ReadLog, TakesTheUnitsUnderTheHeader) {
+  const auto log = [](const std::string& units) {
+    return "t;q;T\n" + units + "\n0;90;20,5\n10;180;20,5\n20;180;20,5\n";
+  };
+  nlohmann::json rig = kPlain;
+  rig["columns"]["T"] = "case_temperature_K";
+  ReadLog result = read({{"a.csv", log("ms;deg;degC")}}, rig);
+  ASSERT_EQ(result.refusal, "");
+  EXPECT_EQ(result.log.runs[0].time_s.back(), 0.01);
+  EXPECT_DOUBLE_EQ(result.log.runs[0].joints[0][Quantity::kOutputPosition][0], M_PI / 2.0);
+  EXPECT_DOUBLE_EQ(result.log.runs[0].joints[0][Quantity::kCaseTemperature][0], 293.65);
+  EXPECT_NE(result.finding("row under the header").sentence, "");
+  EXPECT_NE(result.finding("separated by semicolons, decimals are commas").sentence, "");
+  EXPECT_EQ(read({{"a.csv", log("ms;A;degC")}}, rig).refusal,
+            "a.csv: column \"q\": the unit under the header, A, is none of output_position_rad, "
+            "which the rig says it is");
+  rig["columns"]["q"] = {{"quantity", "output_position_rad"}, {"scale", 1.0}};
+  result = read({{"a.csv", log("ms;deg;degC")}}, rig);
+  EXPECT_EQ(result.log.runs[0].joints[0][Quantity::kOutputPosition][0], 90.0);
+}
+
+// Oracle: the straight line. A channel that is asked less often; a pause that is too long for a
+// line; a temperature that holds; a channel that begins late.
+TEST(ReadLog, FillsEmptyCellsAndMasksWhereNothingIsNear) {
+  nlohmann::json rig = kPlain;
+  rig["columns"]["i"] = "motor_current_A";
+  rig["columns"]["T"] = "case_temperature_K";
+  std::string text = "t,q,i,T\n";
+  for (int k = 0; k < 60; ++k) {
+    const bool has_current = k >= 2 && (k < 20 ? k % 2 == 0 : k >= 40);
+    text += fmt::format("{},{},{},{}\n", 0.01 * k, 0.001 * k * k,
+                        has_current ? fmt::format("{}", 0.1 * k) : "", k == 0 ? "300" : "");
+  }
+  const ReadLog result = read({{"a.csv", text}}, rig);
+  ASSERT_EQ(result.refusal, "");
+  std::vector<double> current;
+  std::vector<int> masked;
+  for (const Run& run : result.log.runs) {
+    const auto& values = run.joints[0][Quantity::kMotorCurrent];
+    current.insert(current.end(), values.begin(), values.end());
+    masked.insert(masked.end(), run.masked.begin(), run.masked.end());
+    for (const double T : run.joints[0][Quantity::kCaseTemperature]) EXPECT_EQ(T, 300.0);
+  }
+  ASSERT_EQ(current.size(), 60u);
+  for (std::size_t k = 2; k < 19; ++k) {
+    EXPECT_NEAR(current[k], 0.1 * static_cast<double>(k), 1e-12) << k;
+    EXPECT_EQ(masked[k], 0) << k;
+  }
+  for (const std::size_t k : {0u, 1u, 20u, 39u}) EXPECT_EQ(masked[k], 1) << k;
+  EXPECT_EQ(masked[40], 0);
+  EXPECT_NE(result.finding("motor_current_A: 31 empty cells").sentence.find("are masked"),
+            std::string::npos);
+  EXPECT_NE(result.finding("case_temperature_K: 59 empty cells: the last number holds").sentence,
+            "");
+}
+
 // A held-out run that is a copy of a fitted one says nothing of other data.
 TEST(ReadLog, RefusesTheSameLogUnderTwoNames) {
   const std::string text = "t,q\n" + rows(0, 5), longer = "t,q\n" + rows(0, 6);
