@@ -172,19 +172,36 @@ void add_names(command_line::Command& command, PolicyImportOptions& options) {
       .add_option("--observations", options.observations,
                   "What the policy sees, in its order: NAME,NAME,..., each with @STEPS where it is "
                   "so many control periods late; units are those that names end in")
-      .separated_by_commas();
+      .separated_by_commas()
+      .otherwise("those of --like");
   command
       .add_option("--actions", options.actions,
                   "What it asks for, in its order: knee_target_rad,...")
-      .separated_by_commas();
+      .separated_by_commas()
+      .otherwise("those of --like");
   command
       .add_option("--offset", options.offsets,
                   "Asked for where the network says 0, one for each action or one for all")
-      .separated_by_commas();
+      .separated_by_commas()
+      .otherwise("those of --like, else 0");
   command
       .add_option("--scale", options.scales,
-                  "Of what the network says, one for each action or one for all")
-      .separated_by_commas();
+                  "Factors on what the network says, one for each action or one for all")
+      .separated_by_commas()
+      .otherwise("those of --like, else 1");
+}
+
+void add_gains(command_line::Command& command, PolicyImportOptions& options) {
+  command
+      .add_option("--stiffness", options.stiffness,
+                  "Stiffness of the PD law that follows the targets, in Nm/rad: DRIVE=VALUE,...")
+      .separated_by_commas()
+      .otherwise("those of --like, else none");
+  command
+      .add_option("--damping", options.damping,
+                  "Damping of that law, in Nm s/rad, for the same drives: DRIVE=VALUE,...")
+      .separated_by_commas()
+      .otherwise("those of --like, else none");
 }
 
 }  // namespace
@@ -196,22 +213,18 @@ void add_policy_import_command(command_line::Command& policy) {
   command.add_option("file", options->onnx_file, "ONNX model of a fully connected network")
       .required();
   command.add_option("--node", options->node, "Name of the model's output").otherwise("its first");
-  command.add_option("--like", options->like_file,
-                     "Document of kind policy whose names, gains and control period hold, but for "
-                     "those that are given here");
+  command
+      .add_option("--like", options->like_file,
+                  "Document of kind policy whose names, gains and control period hold, but for "
+                  "those that are given here")
+      .otherwise("none, and all is given here");
   add_names(command, *options);
-  command
-      .add_option("--stiffness", options->stiffness,
-                  "Of the PD law that follows the targets, in Nm/rad: DRIVE=VALUE,...")
-      .separated_by_commas();
-  command
-      .add_option("--damping", options->damping,
-                  "The same in Nm s/rad, for the same drives: DRIVE=VALUE,...")
-      .separated_by_commas();
+  add_gains(command, *options);
   command
       .add_option("--control-period", options->control_period_s,
                   "Time from one action to the next, in s")
-      .between(1e-5, 10.0);
+      .between(1e-5, 10.0)
+      .otherwise("that of --like");
   command.add_option("-o,--output", options->output_file, "Write the document to this file")
       .otherwise("-, standard output")
       .names_a_file();
