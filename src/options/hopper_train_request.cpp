@@ -14,8 +14,8 @@ void add_task_options(command_line::Command& command, HopperTrainRequest& reques
   command.add_option("robot", request.robot_file, "Document of kind robot").required();
   command.add_option("--task", request.task,
                      "What is learned: " + io::either(hopper::training_task_names()) +
-                         ", or a document of kind training_task, whose terms of reward are " +
-                         named_sentences(hopper::every_reward(), "{} ({})", ", "));
+                         ", or a document of kind training_task, whose terms are " +
+                         io::listed(hopper::reward_names()));
   command
       .add_option("--limits", request.limits,
                   "What limits each drive: mor, its region at the voltage and temperature of the "

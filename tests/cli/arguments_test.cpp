@@ -33,7 +33,7 @@ std::vector<BadArguments> bad_arguments() {
        "command line: unknown command \"optimise\"; did you mean gearbox optimize?"},
       {{"mor", "knee.json"}, "command line: unknown command \"mor\"; did you mean actuator mor?"},
       {{"hopper", "xyzzy"},
-       "command line: unknown command \"xyzzy\"; there are check, flip, replay, calibrate"},
+       "command line: unknown command \"xyzzy\"; there are check, flip, replay, train, calibrate"},
       {{"help", "gearbx"}, "command line: unknown command \"gearbx\"; did you mean gearbox?"},
       {{"actuator", "mor", "a.json", "--bus-votage", "3"},
        "command line: unknown option --bus-votage of actuator mor; did you mean --bus-voltage?"},

@@ -209,7 +209,8 @@ void add_train_command(command_line::Command& hopper) {
       hopper.add_command("train", "Learn a policy that does a task with these actuators");
   add_hopper_train_options(command, *request);
   command.example(
-      "torquewright hopper train specs/robot/planar_leg.json --task hop --seconds 60 -o hop.json");
+      "torquewright hopper train specs/robot/hopper.json --task stand --iterations 1 -o "
+      "stand.json");
   command.works([request] { return run_hopper_train(*request); });
 }
 
