@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "gearbox/synthesis_request.hpp"
 #include "io/text/rational.hpp"
 
 namespace torquewright::gearbox {
@@ -91,13 +92,17 @@ struct Problem {
   /// Friction coefficient of the teeth; dimensionless.
   std::optional<Rational> friction_coefficient;
   std::optional<Rational> load_output_torque_Nm;
+  std::optional<Rational> load_cycles;  ///< How often the most loaded tooth takes that load.
   /// Sun rim, rotor tube and gap, on each side. Default: the rim that the mass counts, a ring's
   /// wall.
   std::optional<Rational> hollow_shaft_wall_mm;
   /// Face widths of layer_1, layer_2 (planetary: layer_1).
   std::map<std::string, Rational> face_width_mm;
   std::optional<Rational> density_kg_m3;
+  std::optional<std::string> steel;  ///< Of all gears; one of strength/steels.hpp.
   Rational rotor_inertia_kg_m2 = 0;  ///< Inertia of the motor's rotor, about its own axis.
+  Floors floors = {};
+  std::optional<SynthesisRequest> synthesis;
   std::vector<std::string> assumed;  ///< JSON pointers of assumed values.
 };
 

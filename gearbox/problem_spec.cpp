@@ -56,6 +56,7 @@ class Reader {
     read_limits();
     read_parts();
     read_values();
+    read_synthesis();
     check_combinations();
     if (!faults_.empty()) throw io::SpecError(std::move(faults_));
     return std::move(problem_);
@@ -167,26 +168,116 @@ class Reader {
   void read_values() {
     problem_.friction_coefficient = find("/friction_coefficient");
     problem_.load_output_torque_Nm = find("/load/output_torque_Nm");
+    problem_.load_cycles = find("/load/cycles");
+    if (root().contains("/materials/steel"_json_pointer)) {
+      problem_.steel = root()["materials"]["steel"].get<std::string>();
+    }
     problem_.hollow_shaft_wall_mm = find("/hollow_shaft_wall_mm");
     problem_.density_kg_m3 = find("/materials/density_kg_m3");
     problem_.rotor_inertia_kg_m2 = find("/rotor_inertia_kg_m2").value_or(0);
     problem_.assumed = root().value("assumed", problem_.assumed);
   }
 
+  void read_synthesis() {
+    read_floors();
+    if (!root().contains("synthesis")) return;
+    const json& keys = root()["synthesis"];
+    SynthesisRequest request;
+    const auto take = [&](const char* key, Rational& value) {
+      if (keys.contains(key)) value = rational(keys[key]);
+    };
+    if (keys.contains("layer_2_module_mm")) {
+      request.layer_2_module_mm = numbers_of(keys["layer_2_module_mm"]);
+    }
+    request.ring_teeth_off = keys.value("ring_teeth_off", request.ring_teeth_off);
+    take("min_profile_shift", request.least_shift);
+    take("max_profile_shift", request.greatest_shift);
+    take("min_tip_thickness", request.least_tip_thickness);
+    take("min_face_width_mm", request.least_face_width_mm);
+    request.greatest_face_width_mm = find("/synthesis/max_face_width_mm");
+    take("gap", request.gap);
+    problem_.synthesis = request;
+    check_synthesis(keys, request);
+  }
+
+  /// A number or a list of numbers, ascending, each once.
+  static std::vector<Rational> numbers_of(const json& value) {
+    std::vector<Rational> numbers;
+    if (value.is_array()) {
+      for (const json& each : value) numbers.push_back(rational(each));
+    } else {
+      numbers.push_back(rational(value));
+    }
+    std::sort(numbers.begin(), numbers.end());
+    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
+    return numbers;
+  }
+
+  void read_floors() {
+    Floors& floors = problem_.floors;
+    floors.forward_efficiency = find("/min_forward_efficiency");
+    floors.backward_efficiency = find("/min_backward_efficiency");
+    floors.hollow_shaft_mm = find("/min_hollow_shaft_diameter_mm");
+    floors.axial_length_mm = find("/max_axial_length_mm");
+    for (const char* key : {"/min_forward_efficiency", "/min_backward_efficiency"}) {
+      if (find(key)) require_for("/friction_coefficient", key + 1);
+    }
+    for (const char* key : {"/min_forward_efficiency", "/min_backward_efficiency",
+                            "/min_hollow_shaft_diameter_mm", "/max_axial_length_mm"}) {
+      if (find(key) && !root().contains("synthesis")) {
+        report(key, "is for a problem with \"synthesis\"; without it teeth alone are searched");
+      }
+    }
+  }
+
+  void check_synthesis(const json& keys, const SynthesisRequest& request) {
+    const auto written = [&](const char* key, const Rational& value) {
+      return keys.contains(key) ? keys[key].dump() : fmt::format("{:g}", io::nearest(value));
+    };
+    if (request.least_shift > request.greatest_shift) {
+      report("/synthesis/min_profile_shift",
+             fmt::format("{} is more than /synthesis/max_profile_shift, {}",
+                         written("min_profile_shift", request.least_shift),
+                         written("max_profile_shift", request.greatest_shift)));
+    }
+    const auto& greatest = request.greatest_face_width_mm;
+    if (greatest && request.least_face_width_mm > *greatest) {
+      report("/synthesis/min_face_width_mm",
+             fmt::format("{} is more than /synthesis/max_face_width_mm, {}",
+                         written("min_face_width_mm", request.least_face_width_mm),
+                         written("max_face_width_mm", *greatest)));
+    }
+    if (!train_parts(problem_.topology).is_the_papers) {
+      report("/synthesis", fmt::format("is for the topology \"{}\" as yet, not for \"{}\"",
+                                       the_papers_topology(), problem_.topology));
+    }
+    if (problem_.constraints == ConstraintSet::kPaper) {
+      report("/constraints", "\"paper\" knows no shifts; synthesis needs \"buildable\"");
+    }
+    if (problem_.objective != Objective::kMass) {
+      report("/objective", "synthesis makes the mass least as yet; use \"mass\"");
+    }
+    if (root().contains("face_width_mm")) {
+      report("/face_width_mm", "is chosen by synthesis; leave it out");
+    }
+    for (const char* pointer :
+         {"/load/output_torque_Nm", "/materials/steel", "/materials/density_kg_m3"}) {
+      require_for(pointer, "synthesis");
+    }
+    if (problem_.load_output_torque_Nm && *problem_.load_output_torque_Nm == 0) {
+      report("/load/output_torque_Nm", "0 loads no tooth; synthesis needs a load");
+    }
+  }
+
   void check_combinations() {
     if (!train_parts(problem_.topology).is_the_papers) refuse_the_papers();
-    if (root().contains("synthesis")) {
-      report("/synthesis",
-             "is reserved: modules, profile shifts and face widths are not searched yet; leave it "
-             "out");
-    }
     check_hob();
     check_shaper();
     const std::string objective = root()["objective"];
     const bool needs_friction = objective.ends_with("_efficiency");
     const bool needs_masses = objective == "mass" || objective == "reflected_inertia";
     if (needs_friction) require("/friction_coefficient", objective);
-    if (needs_masses) require("/face_width_mm", objective);
+    if (needs_masses && !problem_.synthesis) require("/face_width_mm", objective);
     if (needs_masses) require("/materials/density_kg_m3", objective);
   }
 
@@ -241,8 +332,12 @@ class Reader {
   }
 
   void require(const char* pointer, const std::string& objective) {
+    require_for(pointer, fmt::format("the objective \"{}\"", objective));
+  }
+
+  void require_for(const char* pointer, const std::string& whom) {
     if (root().contains(json::json_pointer(pointer))) return;
-    report(pointer, fmt::format("missing; the objective \"{}\" needs it", objective));
+    report(pointer, fmt::format("missing; {} needs it", whom));
   }
 
   const io::Document& document_;

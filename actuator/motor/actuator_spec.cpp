@@ -292,7 +292,8 @@ class ActuatorReader {
       transmission.backward_efficiency = keys.value("backward_efficiency", 1.0);
       transmission.inertia_kg_m2 = keys.value("inertia_kg_m2", 0.0);
     }
-    transmission.peak_torque_Nm = keys.value("peak_torque_Nm", kUnlimited);
+    // What is stated stands before what the teeth bear.
+    transmission.peak_torque_Nm = keys.value("peak_torque_Nm", transmission.peak_torque_Nm);
     if (std::abs(transmission.ratio) < 0.01) {
       report("/gearbox/ratio",
              fmt::format("{} is no ratio; must be at least 0.01 in magnitude", transmission.ratio));

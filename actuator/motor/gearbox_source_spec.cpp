@@ -9,6 +9,8 @@
 #include <system_error>
 
 #include "gearbox/problem_spec.hpp"
+#include "gearbox/strength/problem_strength.hpp"
+#include "gearbox/strength/torque_limit.hpp"
 #include "gearbox/topologies/shifted_train.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "io/documents/document.hpp"
@@ -63,6 +65,14 @@ gearbox::Design design_of(const json& root, const gearbox::Topology& topology,
   return design;
 }
 
+/// Those of a document or of a design that has its own.
+void take_face_widths(const json& keys, gearbox::Problem& problem) {
+  const json widths = keys.value("face_width_mm", json::object());
+  for (const auto& width : widths.items()) {
+    problem.face_width_mm[width.key()] = io::exact(width.value().get<double>());
+  }
+}
+
 Gearbox from_result(const io::Document& document) {
   if (document.root["designs"].empty()) {
     refuse(document, "/designs", "holds no design: there is no gearbox to take");
@@ -71,7 +81,9 @@ Gearbox from_result(const io::Document& document) {
   gearbox.problem = gearbox::read_problem(
       io::check_document(document.root["problem"], "gearbox_problem", document.file, "/problem"));
   const gearbox::Topology& topology = *gearbox::find_topology(gearbox.problem.topology);
-  gearbox.design = design_of(document.root["designs"][0], topology, document, "/designs/0");
+  const json& best = document.root["designs"][0];
+  gearbox.design = design_of(best, topology, document, "/designs/0");
+  take_face_widths(best, gearbox.problem);
   return gearbox;
 }
 
@@ -89,10 +101,7 @@ Gearbox from_gearbox(const io::Document& document) {
   for (std::size_t i = 0; i < topology.free_gears; ++i) {
     gearbox.problem.min_teeth[std::string(topology.gears[i])] = 1;
   }
-  const json widths = root.value("face_width_mm", json::object());
-  for (const auto& width : widths.items()) {
-    gearbox.problem.face_width_mm[width.key()] = io::exact(width.value().get<double>());
-  }
+  take_face_widths(root, gearbox.problem);
   gearbox.design = design_of(root, topology, document, "");
   gearbox.problem.planet_count = {gearbox.design.planet_count};
   gearbox.problem.module_mm = {gearbox.design.module_mm};
@@ -150,6 +159,10 @@ Transmission transmission_from_file(const json& reference, const io::Document& a
   transmission.backward_efficiency = report.backward_efficiency;
   transmission.inertia_kg_m2 = report.reflected_inertia_kg_m2.value_or(0.0);
   transmission.source = document.file;
+  // The teeth's own limit is the gears' bound of the region; without steel or widths there is none.
+  if (const auto strength = gearbox::strength_of_design(gearbox.problem, gearbox.design)) {
+    transmission.peak_torque_Nm = gearbox::torque_limits(*strength).for_cycles.joint_Nm;
+  }
   documents.push_back(document);
   return transmission;
 }

@@ -37,6 +37,13 @@ std::vector<std::string> left_out(const Actuator& actuator, Part part) {
   for (const Effect* effect : effects_left_out(actuator, part)) {
     sentences.push_back(left_out_sentence(*effect));
   }
+  const Transmission& gears = actuator.transmission;
+  if (!gears.source.empty() && gears.peak_torque_Nm == kUnlimited) {
+    sentences.push_back(
+        fmt::format("gear strength: {} states no steel and face widths; what its teeth bear is no "
+                    "bound here",
+                    gears.source));
+  }
   if (actuator.envelope) {
     sentences.emplace_back(
         "winding: none stated; current, heat, losses and the bus's sag do not follow from a curve");

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/strength/steels.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "io/faults/refusal.hpp"
@@ -21,8 +22,6 @@ namespace torquewright::gearbox {
 namespace {
 
 using nlohmann::json;
-
-constexpr std::int64_t kAssumedCycles = 10000;
 
 [[noreturn]] void refuse(const io::Document& result, const std::string& path, std::string message) {
   throw io::SpecError({{result.file, path, std::move(message)}});
@@ -60,7 +59,8 @@ const Steel& named_steel(const std::string& name) {
 }
 
 /// All that is missing at once.
-void require_steel_and_widths(const io::Document& result, const ResultStrengthOptions& options) {
+void require_steel_and_widths(const io::Document& result, const json& design,
+                              const ResultStrengthOptions& options) {
   std::vector<io::Fault> missing;
   if (options.steel.empty()) {
     missing.push_back({result.file, "",
@@ -68,7 +68,8 @@ void require_steel_and_widths(const io::Document& result, const ResultStrengthOp
                                    "gear_strength document that names this file",
                                    known_steels())});
   }
-  if (options.face_width_mm.empty() && !result.root["problem"].contains("face_width_mm")) {
+  if (options.face_width_mm.empty() && !design.contains("face_width_mm") &&
+      !result.root["problem"].contains("face_width_mm")) {
     missing.push_back(
         {result.file, "/problem/face_width_mm", "missing; say --face-width MM (by layer: 10,8)"});
   }
@@ -145,9 +146,12 @@ json material_json(const GearMaterial& material) {
   return keys;
 }
 
-/// What is stated, or the problem's own (one of them is); one width stands for both layers.
-json face_widths(const io::Document& result, const std::vector<double>& stated, bool has_second) {
-  if (stated.empty()) return result.root["problem"]["face_width_mm"];
+/// What is stated, or the design's or problem's own (one of them is); one width stands for both
+/// layers.
+json face_widths(const io::Document& result, const json& design, const std::vector<double>& stated,
+                 bool has_second) {
+  if (stated.empty())
+    return design.value("face_width_mm", result.root["problem"].value("face_width_mm", json()));
   if (stated.size() > (has_second ? 2U : 1U)) {
     refuse(result, "",
            fmt::format("--face-width has {} numbers; this train has {}", stated.size(),
@@ -158,23 +162,13 @@ json face_widths(const io::Document& result, const std::vector<double>& stated, 
   return widths;
 }
 
-/// K_gamma, docs/derivations/strength.md "A result instead of a document".
-double assumed_load_sharing(int planets) {
-  return planets <= 3   ? 1.1
-         : planets == 4 ? 1.25
-         : planets == 5 ? 1.35
-         : planets == 6 ? 1.44
-                        : 1.47;
-}
-
-/// Factors and safeties of the examples in specs/gearbox.
-json assumed_factors(int planets) {
-  return {{"application", 1.0},
-          {"dynamic", 1.0},
-          {"load_sharing", assumed_load_sharing(planets)},
-          {"face_load_root", 1.2},
-          {"face_load_flank", 1.3},
-          {"alternating_bending", 0.7}};
+json factors_json(const LoadFactors& factors) {
+  return {{"application", factors.application},
+          {"dynamic", factors.dynamic},
+          {"load_sharing", factors.load_sharing},
+          {"face_load_root", factors.face_load_root},
+          {"face_load_flank", factors.face_load_flank},
+          {"alternating_bending", factors.alternating_bending}};
 }
 
 /// Every steel once, with the gears that are of it where they are not all.
@@ -211,11 +205,23 @@ std::string assumed_sentence(const ReadStrength& read, const ResultStrengthOptio
       options.rim.empty() ? ", rims too thick to matter (--rim)" : "");
 }
 
+/// What the problem states of its own steel and loads stands in where nothing is said.
+ResultStrengthOptions with_the_problems(ResultStrengthOptions options, const json& problem) {
+  const json materials = problem.value("materials", json::object());
+  if (options.steel.empty() && materials.contains("steel")) {
+    options.steel = {materials["steel"].get<std::string>()};
+  }
+  const json load = problem.value("load", json::object());
+  if (!options.cycles && load.contains("cycles")) options.cycles = load["cycles"].get<double>();
+  return options;
+}
+
 }  // namespace
 
-ReadStrength strength_of_result(io::Document result, const ResultStrengthOptions& options) {
-  const json design = chosen_design(result, options.design);
-  require_steel_and_widths(result, options);
+ReadStrength strength_of_result(io::Document result, const ResultStrengthOptions& stated) {
+  const json design = chosen_design(result, stated.design);
+  const ResultStrengthOptions options = with_the_problems(stated, result.root["problem"]);
+  require_steel_and_widths(result, design, options);
   const json& problem = result.root["problem"];
   const std::string topology = problem["topology"];
   const Topology& gears = *find_topology(topology);
@@ -230,17 +236,18 @@ ReadStrength strength_of_result(io::Document result, const ResultStrengthOptions
     if (design.contains(own)) keys["gearbox"][own] = design[own];
   }
   if (problem.contains("cutter")) keys["cutter"] = problem["cutter"];
-  keys["face_width_mm"] = face_widths(result, options.face_width_mm, gears.layer_count() == 2);
+  keys["face_width_mm"] =
+      face_widths(result, design, options.face_width_mm, gears.layer_count() == 2);
   keys["material"] = material_json(chosen.front()->material);
   for (std::size_t i = 1; i < chosen.size(); ++i) {
     if (chosen[i] == chosen.front()) continue;
     keys["own_material"][std::string(gears.gears[i])] = material_json(chosen[i]->material);
   }
   if (!options.rim.empty()) keys["rim_mm"] = stated_rims(gears, options.rim);
-  keys["factors"] = assumed_factors(design["planet_count"]);
+  keys["factors"] = factors_json(assumed_factors(design["planet_count"].get<std::int64_t>()));
   if (options.load_sharing) keys["factors"]["load_sharing"] = *options.load_sharing;
-  keys["cycles"] = kAssumedCycles;
-  keys["safety_factor"] = {{"root", 1.4}, {"flank", 1.0}};
+  keys["cycles"] = static_cast<std::int64_t>(kAssumedCycles);
+  keys["safety_factor"] = {{"root", kAssumedRootSafety}, {"flank", kAssumedFlankSafety}};
   keys["rotor_inner_diameter_mm"] = problem["rotor_inner_diameter_mm"];
   keys["assumed"] = {"/factors", "/safety_factor"};
   if (!options.cycles) keys["assumed"].push_back("/cycles");

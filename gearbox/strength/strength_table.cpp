@@ -2,7 +2,9 @@
 #include "gearbox/strength/strength_table.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "gearbox/topologies/topology.hpp"
@@ -22,6 +24,26 @@ std::vector<StrengthCase> over_widths(const StrengthCase& strength,
     for (double& own_mm : cases.back().train.face_width_mm) own_mm = width_mm;
   }
   return cases;
+}
+
+/// Why gears of this size are none of this gearbox: the largest ring's root circle alone is as
+/// large as the room. Empty: they may be, or no room is stated.
+std::string blank_objection(const GearTrain& train, double ring_space_mm) {
+  if (!(ring_space_mm > 0.0)) return "";
+  const TrainParts& parts = train_parts(train.topology);
+  double root_mm = 0.0;
+  for (std::size_t i = 0; i < parts.gears.size(); ++i) {
+    if (!parts.is_ring(i)) continue;
+    const double shift = i < train.shifts.size() ? train.shifts[i] : 0.0;
+    const double teeth = static_cast<double>(train.teeth[i]) + 2.0 * shift;
+    root_mm = std::max(root_mm, train.module_of_layer_mm(parts.gear_layers[i]) *
+                                    (teeth + 2.0 * train.cutters.shaper_depth()));
+  }
+  if (root_mm < ring_space_mm) return "";
+  return fmt::format(
+      "module {} mm: with the teeth {} the roots of a ring lie on {:.4g} mm, which does not fit "
+      "into {} mm",
+      train.module_mm, fmt::join(train.teeth, "/"), root_mm, ring_space_mm);
 }
 
 }  // namespace
@@ -65,6 +87,11 @@ StrengthVariants strength_variants(const StrengthCase& strength,
                         module_mm, ring_space_mm));
         continue;
       }
+    }
+    const std::string too_large = blank_objection(sized.train, ring_space_mm);
+    if (!too_large.empty()) {
+      variants.left_out.push_back(too_large);
+      continue;
     }
     add(sized);
   }

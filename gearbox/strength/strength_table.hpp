@@ -10,8 +10,9 @@ namespace torquewright::gearbox {
 
 /// The same gearbox in other sizes, where its own are not known.
 struct StrengthVariants {
-  std::vector<StrengthCase> cases;    ///< Cases by module, then by face width.
-  std::vector<std::string> left_out;  ///< A sentence for each module without teeth.
+  std::vector<StrengthCase> cases;  ///< Cases by module, then by face width.
+  /// A sentence for each module without teeth, or whose ring does not fit into the room.
+  std::vector<std::string> left_out;
 };
 
 /// The single stage of the same ratio and planet count with the most teeth that the module leaves
@@ -21,7 +22,8 @@ std::vector<std::int64_t> stage_with_most_teeth(const GearTrain& stage, double m
                                                 double ring_space_mm);
 
 /// Every module with every face width (of all layers). Modules of a single stage bring their own
-/// teeth, those above; teeth of a 3K train stay. An empty list stands for the case's own value.
+/// teeth, those above; teeth of a 3K train stay, and a module that makes its rings larger than
+/// `ring_space_mm` (0: not known) is left out. An empty list stands for the case's own value.
 StrengthVariants strength_variants(const StrengthCase& strength,
                                    const std::vector<double>& modules_mm,
                                    const std::vector<double>& face_widths_mm, double ring_space_mm);

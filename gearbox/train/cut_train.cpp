@@ -95,8 +95,7 @@ std::optional<std::vector<double>> coaxial_shifts(const GearTrain& of_sun_and_pl
   for (const CutGear& gear : parts->gears) shifts.push_back(gear.shift);
   for (const CutMesh& mesh : parts->meshes) {
     if (!parts->gears[mesh.gear_2].internal) continue;
-    if (!mesh.closing_ring_shift) return std::nullopt;
-    shifts[mesh.gear_2] = *mesh.closing_ring_shift;
+    if (mesh.closing_ring_shift) shifts[mesh.gear_2] = *mesh.closing_ring_shift;
   }
   return shifts;
 }

@@ -52,8 +52,8 @@ struct CutTrain {
 /// Nothing where sun and planet have no working angle.
 std::optional<CutTrain> cut_train(const GearTrain& train);
 
-/// All shifts of a train from those of sun and planets: the rings' close the centre distance.
-/// Nothing where none do.
+/// All shifts of a train from those of sun and planets: the rings' close the centre distance; a
+/// ring that no shift closes keeps its own. Nothing where sun and planet have no working angle.
 std::optional<std::vector<double>> coaxial_shifts(const GearTrain& of_sun_and_planets);
 
 }  // namespace torquewright::gearbox

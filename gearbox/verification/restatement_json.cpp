@@ -6,6 +6,7 @@
 #include "gearbox/search/conflict.hpp"
 #include "gearbox/search/looser_bound.hpp"
 #include "gearbox/search/result_spec.hpp"
+#include "gearbox/strength/problem_strength.hpp"
 #include "io/documents/provenance.hpp"
 
 namespace torquewright::gearbox {
@@ -63,6 +64,8 @@ Json restated(const Problem& problem, const Json& result, const proof::Counts& c
   proved.search = {counts.nodes - counts.open_leaves, 0, counts.relaxation_leaves,
                    counts.enumerated_points};
   Json expected = result_json(problem, proved);
+  expected["held_fixed"] = held_fixed(problem);
+  expected["not_asked"] = not_asked(problem, proved.designs);
   expected.erase("certificate");
   expected["tool"] = io::tool_provenance();
   return expected;

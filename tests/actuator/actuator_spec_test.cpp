@@ -6,7 +6,13 @@
 #include <filesystem>
 #include <fstream>
 
+#include "actuator/region/left_out.hpp"
 #include "actuator/region/operating_conditions.hpp"
+#include "gearbox/problem_spec.hpp"
+#include "gearbox/search/result_spec.hpp"
+#include "gearbox/strength/problem_strength.hpp"
+#include "gearbox/strength/torque_limit.hpp"
+#include "gearbox/topologies/topology.hpp"
 #include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::actuator {
@@ -376,6 +382,55 @@ TEST_F(ActuatorSpec, ComputesAGearboxInAFile) {
   const std::vector<io::Fault> faults = faults_of(document);
   ASSERT_EQ(faults.size(), 1u);
   EXPECT_EQ(faults.front().path, "/gearbox/friction_coefficient");
+}
+
+// Oracle: gearbox/strength, asked of the same teeth.
+TEST_F(ActuatorSpec, TakesWhatTheTeethOfAResultBearAsTheGearsBound) {
+  json problem = json::parse(R"({"kind": "gearbox_problem", "version": 1, "topology": "3k",
+   "target_ratio": 20, "rotor_inner_diameter_mm": 79.4, "module_mm": 0.6, "planet_count": 4,
+   "min_teeth": {"sun": 40, "planet_1": 40, "planet_2": 30}, "min_carrier_clearance_rad": 0.26,
+   "constraints": "paper", "objective": "paper_cost", "friction_coefficient": 0.08,
+   "face_width_mm": {"layer_1": 10, "layer_2": 10}, "materials": {"steel": "case_hardened"}})");
+  const auto read_with = [&](const json& asked) {
+    json result = {{"kind", "gearbox_result"},
+                   {"version", 1},
+                   {"status", "optimal"},
+                   {"objective", 1.0},
+                   {"bound", 1.0},
+                   {"gap", 0.0},
+                   {"problem", asked},
+                   {"search", {{"nodes", 0}, {"relaxations", 0}}},
+                   {"certificate", {{"version", 1}, {"claims", json::array()}}},
+                   {"conflict", json::array()},
+                   {"would_be_feasible_with", json::array()},
+                   {"tool", {{"name", "torquewright"}, {"version", "0"}}},
+                   {"inputs", json::array()}};
+    const gearbox::Problem read =
+        gearbox::read_problem(io::check_document(asked, "gearbox_problem", "problem.json", ""));
+    const gearbox::Design design{{44, 44, 32, 132, 120}, 4, io::Rational(3, 5)};
+    const gearbox::Topology& topology = *gearbox::find_topology("3k");
+    result["designs"] = json::array(
+        {json::parse(gearbox::report_json(topology, topology.evaluate(read, design)).dump())});
+    std::ofstream(folder_.path() / "result.json") << result;
+    json document = contract_example();
+    document["gearbox"] = {{"file", "result.json"}};
+    return read_actuator(written(document)).actuator;
+  };
+  const auto strength = gearbox::strength_of_design(
+      gearbox::read_problem(io::check_document(problem, "gearbox_problem", "problem.json", "")),
+      {{44, 44, 32, 132, 120}, 4, io::Rational(3, 5)});
+  const Actuator bounded = read_with(problem);
+  EXPECT_NEAR(bounded.transmission.peak_torque_Nm,
+              gearbox::torque_limits(*strength).for_cycles.joint_Nm, 1e-9);
+  EXPECT_LT(bounded.transmission.peak_torque_Nm, 320.0);
+  for (const std::string& sentence : left_out(bounded, Part::kRegion)) {
+    EXPECT_FALSE(sentence.starts_with("gear strength")) << sentence;
+  }
+  problem.erase("face_width_mm");
+  const Actuator open = read_with(problem);
+  EXPECT_EQ(open.transmission.peak_torque_Nm, kUnlimited);
+  EXPECT_TRUE(left_out(open, Part::kRegion).front().starts_with("gear strength: "));
+  EXPECT_TRUE(left_out(open, Part::kCheck).front().starts_with("gear strength: "));
 }
 
 // Oracle: the file system, in which the gearbox is no more.

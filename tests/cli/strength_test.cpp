@@ -45,6 +45,20 @@ TEST(Strength, AsksForATorqueThatNoDocumentStates) {
             "--torque: missing; only a gearbox_result whose problem has a load states one\n");
 }
 
+// 132 teeth of 5 mm are a ring of 660 mm: no size of a gearbox for 79.4 mm.
+TEST(Strength, SaysWhichSizesDoNotFit) {
+  const std::string knee = in_repository("specs/gearbox/d151_knee_result.json").string();
+  const Outcome outcome =
+      run({"gearbox", "strength", knee, "--steel", "case_hardened", "--face-width", "10",
+           "--torque", "16", "--modules", "0.5,5", "--json"});
+  const json report = json::parse(outcome.out);
+  ASSERT_EQ(report["other_sizes"].size(), 1u);
+  ASSERT_EQ(report["left_out"].size(), 1u);
+  EXPECT_EQ(report["left_out"][0],
+            "module 5 mm: with the teeth 44/44/32/132/120 the roots of a ring lie on 672.5 mm, "
+            "which does not fit into 79.4 mm");
+}
+
 TEST(Strength, GoesOverSizes) {
   const Outcome outcome = strength(
       {"--torque", "21,17", "--face-widths", "6,8,10,12", "--modules", "0.5,0.6,1", "--json"});

@@ -10,6 +10,7 @@
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/search/ranking.hpp"
+#include "gearbox/synthesis_defaults_spec.hpp"
 #include "gearbox/topologies/shifted_train.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "io/faults/refusal.hpp"
@@ -124,7 +125,7 @@ struct EvaluateInputs {
 };
 
 EvaluateInputs read(const EvaluateOptions& options) {
-  io::Document document = io::read_document(options.problem_file, "gearbox_problem");
+  io::Document document = gearbox::read_problem_document(options.problem_file);
   gearbox::Problem problem = gearbox::read_problem(document);
   gearbox::Design design = design_of(options, problem);
   check_outputs(options.outputs, options.problem_file);
@@ -154,7 +155,7 @@ Evaluation compute(const EvaluateOptions& options, const EvaluateInputs& inputs)
   Evaluation found;
   found.report = gearbox::find_topology(problem.topology)->evaluate(problem, inputs.design);
   catch_interrupt();
-  if (!inputs.design.is_shifted()) {
+  if (!inputs.design.is_shifted() && !problem.synthesis) {
     report::ProgressLine line;
     found.standing = gearbox::standing_of(problem, inputs.design, standing_options(options, line));
   }

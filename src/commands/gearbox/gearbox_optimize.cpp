@@ -11,12 +11,14 @@
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/search/search.hpp"
+#include "gearbox/synthesis_defaults_spec.hpp"
 #include "gearbox/verification/verification_json.hpp"
 #include "io/faults/refusal.hpp"
 #include "src/commands/gearbox/design_drawing.hpp"
 #include "src/commands/gearbox/gearbox_commands.hpp"
 #include "src/commands/gearbox/gearbox_outputs.hpp"
 #include "src/commands/gearbox/gearbox_result_json.hpp"
+#include "src/commands/gearbox/gearbox_synthesis.hpp"
 #include "src/commands/shared/result_json.hpp"
 #include "src/interrupt.hpp"
 #include "src/report/gearbox/gearbox_text.hpp"
@@ -60,9 +62,10 @@ gearbox::DesignSearchOptions search_options(const OptimizeRequest& request,
 }
 
 ReadProblem read(const OptimizeRequest& request) {
-  io::Document document = io::read_document(request.problem_file, "gearbox_problem");
+  io::Document document = gearbox::read_problem_document(request.problem_file);
   gearbox::Problem problem = gearbox::read_problem(document);
   check_outputs(request.outputs, request.problem_file);
+  if (problem.synthesis) return {std::move(document), std::move(problem)};
   if (request.relaxation == "always" && !gearbox::can_be_relaxed(problem)) {
     io::refuse("--relaxation",
                fmt::format("\"always\" cannot help with the objective {}, of which no convex bound "
@@ -128,6 +131,10 @@ ExitCode exit_code_of(const OptimizeAnswer& answer) {
 
 ExitCode run_optimize(const OptimizeRequest& request) {
   const ReadProblem inputs = read(request);
+  if (inputs.problem.synthesis) {
+    catch_interrupt();
+    return run_synthesis(request, inputs, end_of_search(request));
+  }
   const OptimizeAnswer answer = compute(request, inputs);
   write(request, answer);
   return exit_code_of(answer);

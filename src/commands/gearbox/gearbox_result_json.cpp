@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gearbox/search/result_spec.hpp"
+#include "gearbox/strength/problem_strength.hpp"
 #include "io/documents/json_reader.hpp"
 #include "io/files/file_bytes.hpp"
 #include "src/commands/shared/result_json.hpp"
@@ -26,6 +27,8 @@ void refuse_evaluation(const nlohmann::json& result, const std::string& file) {
 std::string optimization_json(const OptimizeRequest& request, const ReadProblem& read,
                               const gearbox::DesignSearchResult& found, double seconds) {
   nlohmann::ordered_json result = gearbox::result_json(read.problem, found);
+  result["held_fixed"] = gearbox::held_fixed(read.problem);
+  result["not_asked"] = gearbox::not_asked(read.problem, found.designs);
   if (request.timing) result["search"]["seconds"] = seconds;
   result["problem"] = read.document.root;
   add_provenance(result, {&read.document, 1});

@@ -35,6 +35,10 @@ VerifyInputs read(const VerifyOptions& options) {
   const io::Document document =
       io::check_document(result.root.at("problem"), "gearbox_problem", result.file, "/problem");
   gearbox::Problem problem = gearbox::read_problem(document);
+  if (problem.synthesis) {
+    throw io::SpecError({{options.result_file, "/certificate",
+                          "holds no claims: what a synthesis proves cannot be checked again yet"}});
+  }
   check_written(named({options.output_file}), {});
   return {std::move(result), std::move(problem)};
 }

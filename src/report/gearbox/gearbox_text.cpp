@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "gearbox/strength/problem_strength.hpp"
 #include "src/report/gearbox/design_text.hpp"
 
 namespace torquewright::report {
@@ -26,8 +27,11 @@ std::string proof_text(const DesignSearchResult& result) {
       result.search.points_enumerated);
 }
 
-std::string infeasible_text(const DesignSearchResult& result) {
-  std::string text = "infeasible: no design satisfies all constraints.\nThese conflict:\n";
+std::string infeasible_text(const Problem& problem, const DesignSearchResult& result) {
+  std::string text = fmt::format(
+      "infeasible: no design satisfies all constraints.\nHeld fixed: {}.\n"
+      "These conflict:\n",
+      held_fixed(problem));
   for (const ConflictMember& member : result.conflict) {
     text += fmt::format("  {}: {}\n", member.constraint, member.sentence);
   }
@@ -130,11 +134,15 @@ std::string rank_text(const Problem& problem, const DesignReport& report,
 
 std::string optimization_text(const Problem& problem, const DesignSearchResult& result) {
   if (result.status == DesignSearchStatus::kInfeasible) {
-    return infeasible_text(result) + assumed_text(problem) + proof_text(result);
+    return infeasible_text(problem, result) + assumed_text(problem) + proof_text(result);
   }
   std::string text = result.status == DesignSearchStatus::kOptimal
                          ? "optimal: proved, nothing is better.\n"
                          : "limit: the search was ended; what follows is the best so far.\n";
+  text += fmt::format("Held fixed: {}.\n", held_fixed(problem));
+  for (const std::string& sentence : not_asked(problem, result.designs)) {
+    text += "Not asked: " + sentence + "\n";
+  }
   const Topology& topology = *find_topology(problem.topology);
   for (std::size_t i = 0; i < result.designs.size(); ++i) {
     DesignReport report = topology.evaluate(problem, result.designs[i]);
@@ -156,7 +164,7 @@ std::string evaluation_text(const Problem& problem, const DesignReport& report,
   std::string text = report.feasible() ? "feasible: every constraint is met.\n"
                                        : "infeasible: it violates the constraints marked below.\n";
   text += design_text(problem, report);
-  if (report.design.is_shifted()) {
+  if (report.design.is_shifted() || problem.synthesis) {
     return text +
            "No rank: the search knows gears without profile shift and of one module only.\n" +
            assumed_text(problem);

@@ -9,6 +9,7 @@ namespace {
 const char* const kLines = R"(
 gearbox optimize specs/gearbox/d151_knee.json --verify --draw knee.svg -o result.json
 gearbox optimize specs/gearbox/d110a_ankle.json --top 3 --json
+gearbox optimize specs/gearbox/knee_synthesis.json --max-nodes 300 -o result.json
 gearbox optimize specs/gearbox/finger_joint.json --relaxation never --max-nodes 200
 gearbox optimize specs/gearbox/knee_choices.json --time-limit 2 --top 2 -o result.json
 gearbox optimize specs/gearbox/slewing_drive.json --time-limit 1 --max-nodes 100 --relaxation always

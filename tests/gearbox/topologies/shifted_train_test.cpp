@@ -317,6 +317,23 @@ TEST(ShiftedTrain, MeetsAndMissesWhatShiftDecides) {
   EXPECT_LT(test::find(evaluated(problem, design), "bottom_clearance.planet_ring")->value, 0.0);
 }
 
+// A second layer that cannot close leaves the first as it is. Oracle: the closing shift of the
+// layer alone, whose output ring is one that closes.
+TEST(ShiftedTrain, ClosesTheFirstLayerWhereTheSecondCannot) {
+  const Problem problem = bilateral_drive(Rational(1, 10));
+  Design design{{36, 34, 26, 104, 96}, 4, Rational(3, 5)};
+  design.profile_shift = {.2, .3, .1, 0.0, 0.0};
+  const double closing = (*coaxial_shifts(gear_train(problem, design)))[3];
+  EXPECT_NE(closing, 0.0);
+  design.teeth[4] = 140;  // Its base circles are too far apart for this centre distance.
+  design.profile_shift = *coaxial_shifts(gear_train(problem, design));
+  EXPECT_EQ(design.profile_shift[3], closing);
+  EXPECT_EQ(design.profile_shift[4], 0.0);
+  const DesignReport report = evaluated(problem, design);
+  EXPECT_TRUE(test::find(report, "coaxial.fixed_ring")->satisfied);
+  EXPECT_FALSE(test::find(report, "coaxial.output_ring")->satisfied);
+}
+
 TEST(ShiftedTrain, IsRefusedWithoutAWorkingAngle) {
   const Problem problem = whole_problem("planetary");
   Design design{{12, 24, 60}, 3, Rational(3, 5)};

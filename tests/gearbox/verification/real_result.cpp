@@ -6,6 +6,7 @@
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/search/result_spec.hpp"
 #include "gearbox/search/search.hpp"
+#include "gearbox/strength/problem_strength.hpp"
 #include "io/documents/document.hpp"
 #include "io/documents/provenance.hpp"
 
@@ -37,7 +38,10 @@ Json real_result(const test::ScratchFolder& folder, const Json& problem, const J
   const auto file = folder.write("problem.json", problem.dump());
   const io::Document document = io::read_document(file, "gearbox_problem");
   const Problem read = read_problem(document);
-  nlohmann::ordered_json result = result_json(read, optimize(read, options_from(options)));
+  const DesignSearchResult found = optimize(read, options_from(options));
+  nlohmann::ordered_json result = result_json(read, found);
+  result["held_fixed"] = held_fixed(read);
+  result["not_asked"] = not_asked(read, found.designs);
   result["problem"] = document.root;
   result["tool"] = io::tool_provenance();
   result["inputs"] = io::input_provenance({&document, 1});

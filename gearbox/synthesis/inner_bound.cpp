@@ -1,0 +1,321 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/synthesis/inner_bound.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace torquewright::gearbox {
+namespace {
+
+using optimization::kInfinity;
+
+double greatest_change(const Interval& slope, const Interval& offset) {
+  if (slope.lower == 0.0 && slope.upper == 0.0) return 0.0;
+  return (slope * offset).upper;
+}
+
+/// What margins leave of a box.
+class ShrinkingBox {
+ public:
+  ShrinkingBox(const InnerBox& box, const InnerPlace& place)
+      : box_(box), middle_(place.middle()), offsets_(place.offsets()) {}
+
+  const InnerBox& box() const { return box_; }
+
+  /// Over what is left of the box.
+  double upper(const Slope& range) const {
+    double sum = range.center.upper;
+    for (std::size_t i = 0; i < kInnerVariables; ++i) {
+      sum += greatest_change(range.slopes[i], offsets_[i]);
+    }
+    return sum < range.value.upper ? sum : range.value.upper;
+  }
+
+  double lower(const Slope& range) const { return -upper(-range); }
+
+  /// Keeps what f >= -slack leaves; false: nothing.
+  bool require(const Slope& range, double slack) {
+    if (upper(range) < -slack) return false;
+    for (std::size_t i = 0; i < kInnerVariables; ++i) {
+      if (!cut(range, i, slack)) return false;
+    }
+    for (std::size_t i = 0; i < kInnerVariables; ++i) {
+      offsets_[i] = box_[i] - Interval(middle_[i]);
+    }
+    return true;
+  }
+
+ private:
+  bool cut(const Slope& form, std::size_t which, double slack) {
+    const Interval& slope = form.slopes[which];
+    if (!(slope.lower > 0.0) && !(slope.upper < 0.0)) return true;
+    double rest = form.center.upper + slack;
+    for (std::size_t i = 0; i < kInnerVariables; ++i) {
+      if (i != which) rest += greatest_change(form.slopes[i], offsets_[i]);
+    }
+    if (!std::isfinite(rest)) return true;
+    Interval& range = box_[which];
+    if (slope.lower > 0.0) {  // slope d >= -rest
+      const double least = -rest / (rest >= 0.0 ? slope.lower : slope.upper);
+      range.lower = std::max(range.lower, outward(which, least, -1.0));
+    } else {
+      const double most = rest / (rest >= 0.0 ? -slope.upper : -slope.lower);
+      range.upper = std::min(range.upper, outward(which, most, 1.0));
+    }
+    return range.lower <= range.upper;
+  }
+
+  double outward(std::size_t which, double offset, double sign) const {
+    const double value = middle_[which] + offset;
+    return value + sign * (1e-12 * (std::abs(offset) + std::abs(middle_[which])));
+  }
+
+  InnerBox box_;
+  std::array<double, kInnerVariables> middle_;
+  InnerBox offsets_;
+};
+
+bool is_finite(const Slope& range) { return std::isfinite(range.value.lower); }
+
+double greatest(const std::vector<double>& widths) {
+  return *std::max_element(widths.begin(), widths.end());
+}
+
+/// Bounds one cell; false: nothing in it is of interest, and `why` is the margin, if it is one.
+class CellBound {
+ public:
+  CellBound(const InnerCase& inner, std::size_t layer, double cutoff_kg, LayerCell& cell)
+      : cell_(cell),
+        cutoff_kg_(cutoff_kg),
+        place_(cell.box),
+        range_(layer_values(inner, layer, place_, fillet_place(inner, layer), cutoff_kg)),
+        left_(cell.box, place_) {}
+
+  bool run(std::optional<std::size_t>& why) {
+    for (std::size_t i = 0; i < range_.margins.size(); ++i) {
+      if (left_.require(range_.margins[i], kMarginSlack)) continue;
+      why = i;
+      return false;
+    }
+    if (!bound_mass()) return false;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double most = left_.upper(range_.efficiency[i]);
+      cell_.efficiency[i] = most < 1.0 ? most : 1.0;
+    }
+    cell_.box = left_.box();
+    return true;
+  }
+
+ private:
+  FilletPlace fillet_place(const InnerCase& inner, std::size_t layer) const {
+    FilletPlace place = 0.5;
+    layer_values(inner, layer, place_.middle()[0], place_.middle()[1], place);
+    return place >= 0.0 && place <= 1.0 ? place : 0.5;
+  }
+
+  bool bound_mass() {
+    for (const Slope& width : range_.width_mm) {
+      if (!is_finite(width)) continue;
+      const Slope mass = width * range_.mass_per_width_kg_mm;
+      if (std::isfinite(cutoff_kg_) && !left_.require(cutoff_kg_ - mass, 0.0)) return false;
+      cell_.width_mm = std::max(cell_.width_mm, left_.lower(width));
+      const double least_kg = left_.lower(mass);
+      cell_.mass_kg = std::max(cell_.mass_kg, least_kg);
+    }
+    return true;
+  }
+
+  LayerCell& cell_;
+  double cutoff_kg_;
+  InnerPlace place_;
+  LayerValues<Slope> range_;
+  ShrinkingBox left_;
+};
+
+/// The cells of both layers, pair by pair.
+class NodeBound {
+ public:
+  NodeBound(const InnerCase& inner, double cutoff_kg, InnerNode& node)
+      : inner_(inner), cutoff_kg_(cutoff_kg), node_(node) {}
+
+  InnerBound run() {
+    for (const std::size_t layer : {0U, 1U}) {
+      if (!rebound(layer)) return std::move(result_);
+    }
+    constexpr int kMostSplits = 400;
+    for (int split = 0; split < kMostSplits; ++split) {
+      if (!find_lightest_pair()) return std::move(result_);
+      const std::size_t layer = layer_to_split();
+      if (result_.mass_kg >= cutoff_kg_ || layer > 1) break;
+      if (!split_cell(layer, pair_[layer])) return std::move(result_);
+    }
+    if (!find_lightest_pair()) return std::move(result_);
+    narrow();
+    for (const std::size_t layer : {0U, 1U}) {
+      const LayerCell& cell = node_.cells[layer][pair_[layer]];
+      result_.middle[layer + 1] = cell.box[1].middle();
+    }
+    result_.middle[0] = node_.centre_mm.middle();
+    return std::move(result_);
+  }
+
+ private:
+  double least_of(std::size_t layer) const {
+    double least = kInfinity;
+    for (const LayerCell& cell : node_.cells[layer]) least = std::min(least, cell.mass_kg);
+    return least == kInfinity ? 0.0 : least;
+  }
+
+  /// All cells of a layer anew, for the node's centre distances.
+  bool rebound(std::size_t layer) {
+    const double cutoff_kg = cutoff_kg_ - least_of(1 - layer);
+    std::vector<LayerCell> kept;
+    for (const LayerCell& old : node_.cells[layer]) {
+      LayerCell cell = old;
+      cell.box[0] = optimization::intersect(cell.box[0], node_.centre_mm);
+      if (bound_cell(layer, cutoff_kg, cell)) kept.push_back(cell);
+    }
+    node_.cells[layer] = std::move(kept);
+    return !is_without(layer);
+  }
+
+  bool is_without(std::size_t layer) {
+    if (!node_.cells[layer].empty()) return false;
+    result_.is_empty = true;
+    if (why_) result_.empty_margin = {layer, *why_};
+    return true;
+  }
+
+  bool bound_cell(std::size_t layer, double cutoff_kg, LayerCell& cell) {
+    why_.reset();
+    if (!(cell.box[0].lower <= cell.box[0].upper)) return false;
+    return CellBound(inner_, layer, cutoff_kg, cell).run(why_);
+  }
+
+  bool may_pair(const LayerCell& first, const LayerCell& second) const {
+    if (first.box[0].lower > second.box[0].upper || second.box[0].lower > first.box[0].upper) {
+      return false;
+    }
+    if (inner_.sun_under_second_layer &&
+        sun_clearance_mm(inner_, first.box[1].upper, second.box[1].lower) < -kMarginSlack) {
+      return false;
+    }
+    const auto& longest = inner_.max_axial_length_mm;
+    if (longest && first.width_mm + second.width_mm > *longest + 1e-6) return false;
+    return is_efficient(first, second);
+  }
+
+  bool is_efficient(const LayerCell& first, const LayerCell& second) const {
+    if (!inner_.min_forward_efficiency && !inner_.min_backward_efficiency) return true;
+    // Forwards it grows with each mesh; backwards a / (c (a b + I1)) does not fall with a, and
+    // falls with c only as (b c - I2)/c = b - I2/c grows: it grows with each as well.
+    const auto best =
+        train_efficiencies(inner_, first.efficiency[0], first.efficiency[1], second.efficiency[0]);
+    return best[0] >= inner_.min_forward_efficiency.value_or(-kInfinity) - kMarginSlack &&
+           best[1] >= inner_.min_backward_efficiency.value_or(-kInfinity) - kMarginSlack;
+  }
+
+  bool find_lightest_pair() {
+    double least = kInfinity;
+    for (std::size_t i = 0; i < node_.cells[0].size(); ++i) {
+      const LayerCell& first = node_.cells[0][i];
+      for (std::size_t j = 0; j < node_.cells[1].size(); ++j) {
+        const LayerCell& second = node_.cells[1][j];
+        const double sum = first.mass_kg + second.mass_kg;
+        if (sum >= least || !may_pair(first, second)) continue;
+        least = sum;
+        pair_ = {i, j};
+      }
+    }
+    result_.mass_kg = least == kInfinity ? result_.mass_kg : std::max(result_.mass_kg, least);
+    result_.is_empty = least == kInfinity;
+    return !result_.is_empty;
+  }
+
+  /// 2: none, the centre distance is to be split. Shifts and the centre distance in modules change
+  /// a mass alike, so that cells are kept about as high as they are wide.
+  std::size_t layer_to_split() const {
+    constexpr double kHighest = 0.7;
+    std::array<double, 2> height{};
+    for (const std::size_t layer : {0U, 1U}) {
+      const LayerCell& cell = node_.cells[layer][pair_[layer]];
+      const double width = (cell.box[0].upper - cell.box[0].lower) / inner_.module_mm[layer];
+      const double shifts = cell.box[1].upper - cell.box[1].lower;
+      if (shifts > 1e-9) height[layer] = shifts / std::max(width, 1e-12);
+    }
+    const std::size_t layer = height[0] >= height[1] ? 0 : 1;
+    return height[layer] > kHighest ? layer : 2;
+  }
+
+  bool split_cell(std::size_t layer, std::size_t place) {
+    std::vector<LayerCell>& cells = node_.cells[layer];
+    const LayerCell whole = cells[place];
+    cells[place] = cells.back();
+    cells.pop_back();
+    const double cutoff_kg = cutoff_kg_ - least_of(1 - layer);
+    for (const bool is_upper : {false, true}) {
+      LayerCell half = whole;
+      (is_upper ? half.box[1].lower : half.box[1].upper) = whole.box[1].middle();
+      if (bound_cell(layer, cutoff_kg, half)) cells.push_back(half);
+    }
+    return !is_without(layer);
+  }
+
+  /// The centre distances that both layers leave.
+  void narrow() {
+    for (const auto& cells : node_.cells) {
+      Interval hull{kInfinity, -kInfinity};
+      for (const LayerCell& cell : cells) {
+        hull.lower = std::min(hull.lower, cell.box[0].lower);
+        hull.upper = std::max(hull.upper, cell.box[0].upper);
+      }
+      node_.centre_mm.lower = std::max(node_.centre_mm.lower, hull.lower);
+      node_.centre_mm.upper = std::min(node_.centre_mm.upper, hull.upper);
+    }
+    if (!(node_.centre_mm.lower <= node_.centre_mm.upper)) result_.is_empty = true;
+  }
+
+  const InnerCase& inner_;
+  double cutoff_kg_;
+  InnerNode& node_;
+  InnerBound result_;
+  std::optional<std::size_t> why_;
+  std::array<std::size_t, 2> pair_{};
+};
+
+}  // namespace
+
+std::optional<double> mass_at(const InnerCase& inner, const std::array<double, 3>& point,
+                              double* violation) {
+  double below = 0.0, mass_kg = 0.0, length_mm = 0.0;
+  const auto require = [&](double margin) {
+    if (!(margin >= 0.0)) below += std::isfinite(margin) ? -margin : 10.0;
+  };
+  std::array<double, 4> efficiency{};
+  for (const std::size_t layer : {0U, 1U}) {
+    FilletPlace place = 0.5;
+    const auto values = layer_values(inner, layer, point[0], point[layer + 1], place);
+    for (const double margin : values.margins) require(margin);
+    const double width_mm = greatest(values.width_mm);
+    mass_kg += width_mm * values.mass_per_width_kg_mm;
+    length_mm += width_mm;
+    if (inner.max_face_width_mm) require(*inner.max_face_width_mm - width_mm);
+    efficiency[2 * layer] = values.efficiency[0];
+    efficiency[2 * layer + 1] = values.efficiency[1];
+  }
+  if (inner.max_axial_length_mm) require(*inner.max_axial_length_mm - length_mm);
+  if (inner.sun_under_second_layer) require(sun_clearance_mm(inner, point[1], point[2]));
+  const auto train = train_efficiencies(inner, efficiency[0], efficiency[1], efficiency[2]);
+  if (inner.min_forward_efficiency) require(train[0] - *inner.min_forward_efficiency);
+  if (inner.min_backward_efficiency) require(train[1] - *inner.min_backward_efficiency);
+  if (violation != nullptr) *violation = below;
+  if (below > 0.0 || !std::isfinite(mass_kg)) return std::nullopt;
+  return mass_kg;
+}
+
+InnerBound bound_inner(const InnerCase& inner, double cutoff_kg, InnerNode& node) {
+  return NodeBound(inner, cutoff_kg, node).run();
+}
+
+}  // namespace torquewright::gearbox

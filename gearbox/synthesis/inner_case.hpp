@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gearbox/problem.hpp"
+#include "gearbox/synthesis/slope.hpp"
+
+namespace torquewright::gearbox {
+
+/// Whole numbers and modules of a 3K train: what is left is continuous.
+struct TrainChoice {
+  std::array<std::int64_t, 5> teeth{};  ///< Sun, planet 1, planet 2, fixed ring, output ring.
+  std::int64_t planet_count = 0;
+  std::array<std::size_t, 2> module{};  ///< By layer: places in the lists of modules.
+};
+
+/// What a tooth's root may be stressed with, by its notch: static_MPa (slope Y_S + constant) once,
+/// and for the cycles its blend with the endurance. docs/derivations/strength.md eq. (11), (12).
+struct RootLimit {
+  double static_MPa = 0.0;
+  double notch_slope = 0.0;
+  double notch_constant = 0.0;
+  double endurance_MPa = 0.0;
+  double static_weight = 1.0;  ///< Exponent of the static limit in the limit for the cycles.
+};
+
+/// Up to this shift the stress of a root loaded at the tip falls with the rounding of its tool, on
+/// the grid of RestsOnRootsThatARounderToolMakesStronger; beyond, wide boxes are bounded without
+/// that.
+inline constexpr double kGreatestRuledShift = 1.1;
+
+/// All numbers of the inner problem but its three variables. Lengths in mm, in modules where said.
+struct InnerCase {
+  std::array<double, 5> teeth{};
+  double planets = 0.0;
+  double sine_of_half_spacing = 0.0;  ///< sin(pi/n)
+  std::array<double, 2> module_mm{};  ///< By layer.
+  std::array<double, 2> wall_mm{};    ///< Behind roots, by layer.
+  double ring_space_mm = 0.0;
+  double hob_depth = 1.25;  ///< In modules, as the next.
+  double shaper_depth = 1.25;
+  double undercut_depth = 1.0;
+  std::optional<double> hob_tip_radius;
+  std::optional<double> shaper_tip_radius;
+  std::optional<double> shaper_teeth;
+  double min_contact_ratio = 1.2;
+  double min_neighbour_clearance_mm = 0.0;
+  double min_tip_thickness = 0.0;  ///< In modules, as the shifts of sun and planets.
+  double least_shift = 0.0;
+  double greatest_shift = 0.0;
+  bool sun_under_second_layer = true;
+  std::optional<double> min_hollow_shaft_mm;
+  double hollow_shaft_wall_mm = 0.0;
+  std::optional<double> max_face_width_mm;
+  std::optional<double> max_axial_length_mm;
+  double min_face_width_mm = 0.0;
+  std::optional<double> friction;
+  std::optional<double> min_forward_efficiency;
+  std::optional<double> min_backward_efficiency;
+
+  /// Tangential force at the reference circle, of one planet's meshes S-P1, P1-F, P2-O, under the
+  /// load: it does not depend on shifts.
+  std::array<double, 3> reference_force_N{};
+  RootLimit root;
+  double alternating_bending = 1.0;
+  double root_factors = 1.0;   ///< All K and the demanded safety.
+  double flank_factors = 1.0;  ///< All K and the square of the demanded safety.
+  double flank_limit_MPa = 0.0;
+  double elasticity = 0.0;
+  double density_kg_m3 = 0.0;
+};
+
+/// What rounding may make of a margin here and in `evaluate`.
+inline constexpr double kMarginSlack = 1e-9;
+
+/// Margins, widths and mass per width of a layer at a point, or their enclosures over a box.
+template <class T>
+struct LayerValues {
+  std::vector<T> margins;   ///< A design exists only where none is below 0.
+  std::vector<T> width_mm;  ///< What each tooth asks of the face width; the greatest is taken.
+  T mass_per_width_kg_mm;
+  /// Basic efficiencies of the layer's meshes, 1 without friction: S-P1 and P1-F, or P2-O and 1.
+  std::array<T, 2> efficiency;
+};
+
+/// Where on the layer's ring's fillet the stress is greatest, as a share of the trochoid's turn:
+/// found at a point, used over the box around it, where any place bounds the greatest stress from
+/// below.
+using FilletPlace = double;
+
+/// The values of a layer (0: that of the sun) at a centre distance and a shift, NaN where the gears
+/// do not exist, and the place of the ring's greatest stress.
+LayerValues<double> layer_values(const InnerCase& inner, std::size_t layer, double centre_mm,
+                                 double shift, FilletPlace& place);
+/// Enclosures over a box, which must outlive them. What cannot be enclosed has no finite bound, or
+/// is left out of the list of widths; the lists end where a margin is below 0 all over the box, or
+/// the layer heavier than the cutoff.
+LayerValues<Slope> layer_values(const InnerCase& inner, std::size_t layer, const InnerPlace& box,
+                                FilletPlace place, double cutoff_kg);
+
+/// Names of the layer's margins, in their order.
+std::vector<std::string> margin_names(const InnerCase& inner, std::size_t layer);
+
+/// m1 (z1/2 - 1 + x1) - m2 (z2/2 + 1 + x2): the sun's tip clears planet 2; not below 0 where the
+/// sun reaches under the second layer.
+double sun_clearance_mm(const InnerCase& inner, double shift_1, double shift_2);
+
+/// Efficiencies of the train from those of its meshes, growing with each: forwards, backwards.
+std::array<double, 2> train_efficiencies(const InnerCase& inner, double sun_planet_1,
+                                         double planet_1_fixed_ring, double planet_2_output_ring);
+
+}  // namespace torquewright::gearbox

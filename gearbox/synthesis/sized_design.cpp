@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/synthesis/sized_design.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gearbox/strength/problem_strength.hpp"
+#include "gearbox/strength/tooth_load.hpp"
+#include "gearbox/teeth/profile_shift.hpp"
+#include "gearbox/teeth/tooth_geometry.hpp"
+#include "gearbox/topologies/topology.hpp"
+#include "gearbox/train/cut_train.hpp"
+#include "gearbox/train_parts.hpp"
+
+namespace torquewright::gearbox {
+namespace {
+
+constexpr const char* kDoNotMesh = "gears_do_not_mesh";
+
+/// Shifts of sun and planets from the point; those of the rings close the centre distance.
+bool set_shifts(const Problem& problem, const std::array<double, 3>& point, Design& design) {
+  const double between = static_cast<double>(design.teeth[0] + design.teeth[1]);
+  const auto angle = working_angle_at_rad(between, point[0] / io::nearest(design.module_mm));
+  if (!angle) return false;
+  const double shifts =
+      between * (involute(*angle) - kReferenceInvolute) / (2.0 * kReferenceTangent);
+  design.profile_shift = {shifts - point[1], point[1], point[2], 0.0, 0.0};
+  const GearTrain open = gear_train(problem, design);
+  const auto cut = cut_train(open);
+  if (!cut) return false;
+  for (const CutMesh& mesh : cut->meshes) {
+    if (!cut->gears[mesh.gear_2].internal) continue;
+    if (!mesh.closing_ring_shift) return false;
+    design.profile_shift[mesh.gear_2] = *mesh.closing_ring_shift;
+  }
+  return true;
+}
+
+/// What the load asks of each layer's width: bending goes with 1/b, pressure with its root.
+std::array<double, 2> needed_widths_mm(const StrengthCase& of_one_mm, double sun_Nm) {
+  std::array<double, 2> widths{};
+  const TrainParts& parts = train_parts(of_one_mm.train.topology);
+  for (const ToothLoad& load : tooth_loads(of_one_mm, sun_Nm)) {
+    const auto mesh = std::find_if(parts.meshes.begin(), parts.meshes.end(),
+                                   [&](const MeshedGears& each) { return each.name == load.mesh; });
+    double& width = widths[parts.gear_layers[mesh->gear_2]];
+    const double flank = of_one_mm.demanded_flank_safety / load.flank.least_safety();
+    width =
+        std::max({width, of_one_mm.demanded_root_safety / load.root.least_safety(), flank * flank});
+  }
+  return widths;
+}
+
+/// Up to a whole nanometre, as a decimal.
+Rational rounded_up_mm(double width_mm) {
+  return Rational(mpz_class(std::ceil(width_mm * (1.0 + 1e-12) * 1e6)), 1000000);
+}
+
+/// The name of what a design violates that `evaluate` does not know of.
+std::string own_objection(const SizedDesign& sized) {
+  const SynthesisRequest& request = *sized.problem.synthesis;
+  const Floors& floors = sized.problem.floors;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double shift = sized.design.profile_shift[i];
+    if (shift < io::nearest(request.least_shift) - 1e-9 ||
+        shift > io::nearest(request.greatest_shift) + 1e-9) {
+      return "profile_shift";
+    }
+  }
+  for (const ConstraintReport& constraint : sized.report.constraints) {
+    if (!constraint.name.starts_with("tip_thickness.")) continue;
+    const bool is_second =
+        constraint.name.ends_with("planet_2") || constraint.name.ends_with("output_ring");
+    const GearReport& gear = sized.report.gears[is_second ? 2 : 0];
+    if (constraint.value < io::nearest(request.least_tip_thickness) * gear.module_mm - 1e-9) {
+      return constraint.name;
+    }
+  }
+  const auto& [first, second] = sized.face_width_mm;
+  if (request.greatest_face_width_mm &&
+      std::max(first, second) > io::nearest(*request.greatest_face_width_mm)) {
+    return "face_width";
+  }
+  if (floors.axial_length_mm && first + second > io::nearest(*floors.axial_length_mm)) {
+    return "axial_length";
+  }
+  if (floors.hollow_shaft_mm &&
+      sized.report.hollow_shaft_diameter_mm < io::nearest(*floors.hollow_shaft_mm)) {
+    return "hollow_shaft";
+  }
+  if (floors.forward_efficiency &&
+      sized.report.forward_efficiency < io::nearest(*floors.forward_efficiency)) {
+    return "forward_efficiency";
+  }
+  if (floors.backward_efficiency &&
+      sized.report.backward_efficiency < io::nearest(*floors.backward_efficiency)) {
+    return "backward_efficiency";
+  }
+  return "";
+}
+
+void offer_all_modules(const LayerModules& modules, Problem& problem) {
+  std::vector<Rational>& offered = problem.module_mm;
+  offered.insert(offered.end(), modules.second_mm.begin(), modules.second_mm.end());
+  std::sort(offered.begin(), offered.end());
+  offered.erase(std::unique(offered.begin(), offered.end()), offered.end());
+}
+
+bool set_widths(SizedDesign& sized) {
+  const std::vector<std::string> layers = train_parts(sized.problem.topology).layer_names();
+  for (const std::string& layer : layers) sized.problem.face_width_mm[layer] = 1;
+  const auto of_one_mm = strength_of_design(sized.problem, sized.design);
+  if (!of_one_mm) return false;
+  const double load_Nm = io::nearest(*sized.problem.load_output_torque_Nm);
+  const auto needed =
+      needed_widths_mm(*of_one_mm, sun_torque_Nm(of_one_mm->train, load_Nm, TorqueSide::kJoint));
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Rational width_mm =
+        std::max(rounded_up_mm(needed[i]), sized.problem.synthesis->least_face_width_mm);
+    sized.problem.face_width_mm[layers[i]] = width_mm;
+    sized.face_width_mm[i] = io::nearest(width_mm);
+  }
+  const auto strength = strength_of_design(sized.problem, sized.design);
+  if (!strength) return false;
+  sized.borne = torque_limits(*strength).for_cycles;
+  return true;
+}
+
+}  // namespace
+
+SizedDesign sized_design(const Problem& problem, const LayerModules& modules,
+                         const TrainChoice& choice, const std::array<double, 3>& point) {
+  SizedDesign sized;
+  sized.design = design_of(modules, choice);
+  sized.problem = problem;
+  offer_all_modules(modules, sized.problem);
+  if (!set_shifts(problem, point, sized.design) || !set_widths(sized)) {
+    sized.objection = kDoNotMesh;
+    return sized;
+  }
+  sized.report = find_topology(problem.topology)->evaluate(sized.problem, sized.design);
+  sized.mass_kg = sized.report.mass_kg.value_or(0.0);
+  for (const ConstraintReport& constraint : sized.report.constraints) {
+    if (constraint.satisfied) continue;
+    sized.objection = constraint.name;
+    return sized;
+  }
+  sized.objection = own_objection(sized);
+  if (sized.objection.empty() &&
+      sized.borne.joint_Nm < io::nearest(*problem.load_output_torque_Nm)) {
+    sized.objection = "strength";
+  }
+  return sized;
+}
+
+}  // namespace torquewright::gearbox

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/synthesis/synthesis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <utility>
+
+#include "gearbox/synthesis/inner_bound.hpp"
+#include "gearbox/synthesis/local_search.hpp"
+
+namespace torquewright::gearbox {
+namespace {
+
+using optimization::kInfinity;
+
+constexpr std::size_t kUnopened = std::numeric_limits<std::size_t>::max();
+/// Relative width of a box below which rounding decides; what is left open there keeps its bound.
+constexpr double kLeastWidth = 1e-10;
+
+/// A choice that is not opened yet, or a part of one that is.
+struct Node {
+  double bound_kg = 0.0;
+  std::size_t choice = 0;
+  std::size_t part = kUnopened;
+};
+
+struct HeavierLast {
+  bool operator()(const Node& a, const Node& b) const {
+    if (a.bound_kg != b.bound_kg) return a.bound_kg > b.bound_kg;
+    return a.choice != b.choice ? a.choice > b.choice : a.part > b.part;
+  }
+};
+
+class Search {
+ public:
+  Search(const Problem& problem, const SynthesisOptions& options)
+      : problem_(problem),
+        options_(options),
+        modules_(layer_modules(problem)),
+        gap_(io::nearest(problem.synthesis->gap)),
+        choices_(train_choices(problem, modules_, options.max_choices)) {}
+
+  SynthesisResult run() {
+    result_.choices = static_cast<std::int64_t>(choices_.size());
+    const bool is_whole = choices_.size() <= options_.max_choices;
+    sort_choices();
+    seek_early_designs();
+    for (std::size_t i = 0; i < choices_.size(); ++i) queue_.push({0.0, i, kUnopened});
+    bool is_ended = !is_whole;
+    while (!is_ended && !queue_.empty() && queue_.top().bound_kg < cutoff_kg()) {
+      is_ended =
+          options_.should_stop() || (options_.max_boxes > 0 && result_.boxes >= options_.max_boxes);
+      if (!is_ended) step();
+    }
+    finish(is_ended, is_whole);
+    return std::move(result_);
+  }
+
+ private:
+  double best_kg() const { return result_.best ? result_.best->mass_kg : kInfinity; }
+  /// What is not lighter by more than the gap is of no interest.
+  double cutoff_kg() const { return result_.best ? best_kg() * (1.0 - gap_) : kInfinity; }
+
+  /// By what they weigh with ordinary shifts, so that light designs are found soon.
+  void sort_choices() {
+    std::vector<std::pair<double, std::size_t>> order;
+    for (std::size_t i = 0; i < choices_.size(); ++i) {
+      const InnerCase inner = inner_case(problem_, modules_, choices_[i]);
+      order.emplace_back(ordinary_mass_kg(inner), i);
+    }
+    std::sort(order.begin(), order.end());
+    std::vector<TrainChoice> sorted;
+    for (const auto& [mass_kg, place] : order) sorted.push_back(choices_[place]);
+    choices_ = std::move(sorted);
+  }
+
+  void step() {
+    const Node node = queue_.top();
+    queue_.pop();
+    const InnerCase inner = inner_case(problem_, modules_, choices_[node.choice]);
+    if (node.part == kUnopened) return open(node.choice, inner);
+    InnerNode part = take(node.part);
+    const InnerBound bound = bounded(inner, part);
+    if (bound.is_empty) return;
+    const double bound_kg = std::max(node.bound_kg, bound.mass_kg * (1.0 - 1e-9));
+    if (bound_kg >= cutoff_kg()) return;
+    seek_design(node.choice, inner, bound);
+    if (bound_kg < cutoff_kg()) split(node.choice, part, bound_kg);
+  }
+
+  InnerBound bounded(const InnerCase& inner, InnerNode& part) {
+    ++result_.boxes;
+    if (result_.boxes % 256 == 0) report();
+    return bound_inner(inner, cutoff_kg(), part);
+  }
+
+  /// Slices of the centre distance that are narrow enough for bounds to say something.
+  void open(std::size_t choice, const InnerCase& inner) {
+    ++result_.opened;
+    const auto whole = inner_box(problem_, inner);
+    if (!whole) return exclude("profile_shift");
+    constexpr double kSlice = 0.3;  // In modules.
+    const Interval& range = (*whole)[0];
+    const double width = range.upper - range.lower;
+    const int slices = static_cast<int>(std::ceil(width / (kSlice * inner.module_mm[0])));
+    std::map<std::string, int> reasons;
+    for (int i = 0; i < slices; ++i) {
+      const double step = width / slices;
+      InnerBox box = *whole;
+      box[0].lower = range.lower + i * step;
+      if (i + 1 < slices) box[0].upper = range.lower + (i + 1) * step;
+      InnerNode part = whole_node(box);
+      const InnerBound bound = bounded(inner, part);
+      if (bound.is_empty && bound.empty_margin) {
+        const auto [layer, margin] = *bound.empty_margin;
+        ++reasons[margin_names(inner, layer)[margin]];
+      }
+      const double bound_kg = bound.mass_kg * (1.0 - 1e-9);
+      if (bound.is_empty || bound_kg >= cutoff_kg()) continue;
+      queue_.push({bound_kg, choice, keep(std::move(part))});
+    }
+    if (reasons.size() == 1 && reasons.begin()->second == slices) exclude(reasons.begin()->first);
+  }
+
+  static InnerNode whole_node(const InnerBox& box) {
+    constexpr int kCells = 5;
+    InnerNode node{box[0], {}};
+    const double step = (box[1].upper - box[1].lower) / kCells;
+    for (int i = 0; i < kCells; ++i) {
+      LayerCell cell{.box = box};
+      cell.box[1].lower = box[1].lower + i * step;
+      if (i + 1 < kCells) cell.box[1].upper = box[1].lower + (i + 1) * step;
+      for (auto& cells : node.cells) cells.push_back(cell);
+    }
+    return node;
+  }
+
+  void split(std::size_t choice, const InnerNode& part, double bound_kg) {
+    const Interval& range = part.centre_mm;
+    if (!(range.upper - range.lower > kLeastWidth * range.upper)) {
+      undecided_kg_ = std::min(undecided_kg_, bound_kg);
+      return;
+    }
+    for (const bool is_upper : {false, true}) {
+      InnerNode half = part;
+      (is_upper ? half.centre_mm.lower : half.centre_mm.upper) = range.middle();
+      queue_.push({bound_kg, choice, keep(std::move(half))});
+    }
+  }
+
+  std::size_t keep(InnerNode part) {
+    if (free_.empty()) {
+      parts_.push_back(std::move(part));
+      return parts_.size() - 1;
+    }
+    const std::size_t place = free_.back();
+    free_.pop_back();
+    parts_[place] = std::move(part);
+    return place;
+  }
+
+  InnerNode take(std::size_t place) {
+    free_.push_back(place);
+    return std::exchange(parts_[place], {});
+  }
+
+  /// A good mass to begin with lets most boxes go unsplit.
+  void seek_early_designs() {
+    constexpr std::size_t kMost = 40;
+    for (std::size_t i = 0; i < choices_.size() && i < kMost; ++i) {
+      const InnerCase inner = inner_case(problem_, modules_, choices_[i]);
+      const auto whole = inner_box(problem_, inner);
+      if (whole) seek_from(i, inner, {(*whole)[0].middle(), 0.3, 0.3});
+    }
+  }
+
+  /// From the middle of a part: where it is better than what is known, and once for each choice.
+  void seek_design(std::size_t choice, const InnerCase& inner, const InnerBound& bound) {
+    const auto middle_kg = mass_at(inner, bound.middle);
+    const bool is_better = middle_kg && *middle_kg < best_kg();
+    const bool is_first = !is_sought_[choice];
+    is_sought_[choice] = true;
+    if (is_first || is_better) seek_from(choice, inner, bound.middle);
+  }
+
+  void seek_from(std::size_t choice, const InnerCase& inner, const std::array<double, 3>& start) {
+    constexpr int kTrials = 400, kMoreTrials = 3000;
+    const InnerBox whole = *inner_box(problem_, inner);
+    auto found = light_point(inner, whole, start, kTrials);
+    // Only what is near the best is worth more.
+    if (!found || found->mass_kg >= 1.02 * best_kg()) return;
+    found = light_point(inner, whole, found->point, kMoreTrials);
+    if (found->mass_kg >= best_kg()) return;
+    SizedDesign sized = sized_design(problem_, modules_, choices_[choice], found->point);
+    if (!sized.objection.empty() || sized.mass_kg >= best_kg()) return;
+    result_.best = std::move(sized);
+    report();
+  }
+
+  void exclude(const std::string& name) { ++result_.excluded_by[name]; }
+  double bound_now_kg() const {
+    const double open_kg = queue_.empty() ? kInfinity : queue_.top().bound_kg;
+    return std::min({open_kg, undecided_kg_, cutoff_kg()});
+  }
+
+  void report() {
+    options_.report({result_.boxes, static_cast<std::int64_t>(queue_.size()),
+                     result_.best ? std::optional(best_kg()) : std::nullopt, bound_now_kg()});
+  }
+
+  void finish(bool is_ended, bool is_whole) {
+    result_.bound_kg = is_whole ? bound_now_kg() : 0.0;
+    const bool is_closed = result_.best && result_.bound_kg >= best_kg() * (1.0 - gap_);
+    if (is_closed && is_whole) {
+      result_.status = SynthesisStatus::kOptimal;
+    } else if (!is_ended && !result_.best && undecided_kg_ == kInfinity) {
+      result_.status = SynthesisStatus::kInfeasible;
+    }
+  }
+
+  const Problem& problem_;
+  const SynthesisOptions& options_;
+  LayerModules modules_;
+  double gap_;
+  std::vector<TrainChoice> choices_;
+  std::priority_queue<Node, std::vector<Node>, HeavierLast> queue_;
+  std::vector<InnerNode> parts_;
+  std::vector<std::size_t> free_;
+  std::vector<bool> is_sought_ = std::vector<bool>(choices_.size());
+  double undecided_kg_ = kInfinity;
+  SynthesisResult result_;
+};
+
+}  // namespace
+
+SynthesisResult synthesise(const Problem& problem, const SynthesisOptions& options) {
+  return Search(problem, options).run();
+}
+
+}  // namespace torquewright::gearbox

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/synthesis/train_choices.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "gearbox/constraints/hob_reach.hpp"
+#include "gearbox/constraints/spacing.hpp"
+#include "gearbox/constraints/tooth_conditions.hpp"
+#include "gearbox/strength/problem_strength.hpp"
+#include "gearbox/strength/steels.hpp"
+#include "gearbox/strength/strength.hpp"
+#include "gearbox/teeth/tooth_geometry.hpp"
+#include "gearbox/train/assembly.hpp"
+#include "gearbox/walls.hpp"
+
+namespace torquewright::gearbox {
+namespace {
+
+constexpr double kSlack = 1e-9;
+
+/// Walks through the teeth of one planet count and pair of modules.
+class ChoiceWalk {
+ public:
+  ChoiceWalk(const Problem& problem, const LayerModules& modules, std::size_t most,
+             std::vector<TrainChoice>& found)
+      : problem_(problem), modules_(modules), most_(most), found_(found) {
+    least_ratio_ = io::nearest(least_ratio(problem)) * (1.0 - kSlack);
+    greatest_ratio_ = io::nearest(greatest_ratio(problem)) * (1.0 + kSlack);
+  }
+
+  void walk(std::int64_t planets, std::size_t first, std::size_t second) {
+    choice_.planet_count = planets;
+    choice_.module = {first, second};
+    module_1_mm_ = modules_.first_mm[first];
+    module_2_mm_ = modules_.second_mm.empty() ? module_1_mm_ : modules_.second_mm[second];
+    shift_of_modules_ = io::nearest(Rational(module_1_mm_ / module_2_mm_));
+    const Rational bore = problem_.rotor_inner_diameter_mm / module_1_mm_;
+    const std::int64_t most_fixed = mpz_class(bore.get_num() / bore.get_den()).get_si();
+    const std::int64_t off = problem_.synthesis->ring_teeth_off;
+    for (std::int64_t sun = minimum("sun"); sun < most_fixed; ++sun) {
+      for (std::int64_t planet = minimum("planet_1"); sun + 2 * planet - off <= most_fixed;
+           ++planet) {
+        const PlanetCircle circle{sun, planet, planets, module_1_mm_};
+        if (!clears(circle)) break;
+        for (std::int64_t fixed = sun + 2 * planet - off;
+             fixed <= std::min(most_fixed, sun + 2 * planet + off); ++fixed) {
+          if (spacing_remainder(sun, fixed, planets) == 0) second_layer(sun, planet, fixed);
+        }
+        if (found_.size() > most_) return;
+      }
+    }
+  }
+
+ private:
+  std::int64_t minimum(const char* gear) const { return problem_.min_teeth.at(gear); }
+
+  bool clears(const PlanetCircle& circle) const {
+    const auto planet = static_cast<double>(circle.planet);
+    const double clearance_rad = std::numbers::pi / static_cast<double>(circle.planet_count) -
+                                 std::asin(planet / (static_cast<double>(circle.sun) + planet));
+    const double margin_rad = clearance_rad - io::nearest(problem_.min_carrier_clearance_rad);
+    if (std::abs(margin_rad) > kSlack) return margin_rad > 0.0;
+    return carrier_clearance(circle, problem_.min_carrier_clearance_rad).satisfied;
+  }
+
+  void second_layer(std::int64_t sun, std::int64_t planet, std::int64_t fixed) {
+    const double between = shift_of_modules_ * static_cast<double>(sun + planet);
+    const auto off = static_cast<double>(problem_.synthesis->ring_teeth_off);
+    const std::int64_t low = std::llround(std::ceil(between - off - kSlack));
+    const std::int64_t high = std::llround(std::floor(between + off + kSlack));
+    for (std::int64_t planet_2 = minimum("planet_2"); planet_2 <= planet - choice_.planet_count;
+         ++planet_2) {
+      for (std::int64_t output = planet_2 + low; output <= planet_2 + high; ++output) {
+        consider({sun, planet, planet_2, fixed, output});
+      }
+    }
+  }
+
+  void consider(const std::array<std::int64_t, 5>& z) {
+    // (S + F) P1 O / (S (P1 O - F P2)), in products far below 2^53.
+    const auto turned = static_cast<double>(z[1] * z[4] - z[3] * z[2]);
+    if (!(turned > 0.0)) return;
+    const double ratio =
+        static_cast<double>((z[0] + z[3]) * z[1] * z[4]) / (static_cast<double>(z[0]) * turned);
+    if (!(ratio >= least_ratio_ && ratio <= greatest_ratio_)) return;
+    const Rational exact = three_k_reduction<Rational>({z[0], z[1], z[2], z[3], z[4]});
+    if (exact < least_ratio(problem_) || exact > greatest_ratio(problem_)) return;
+    if (!has_identical_planets({z[0], z[1], z[2], z[3], z[4]}, choice_.planet_count)) return;
+    choice_.teeth = z;
+    found_.push_back(choice_);
+  }
+
+  const Problem& problem_;
+  const LayerModules& modules_;
+  std::size_t most_;
+  std::vector<TrainChoice>& found_;
+  TrainChoice choice_;
+  Rational module_1_mm_, module_2_mm_;
+  double shift_of_modules_ = 1.0;
+  double least_ratio_ = 0.0, greatest_ratio_ = 0.0;
+};
+
+RootLimit root_limit(const GearMaterial& material, double cycles) {
+  // The life curve at two notches gives the static limit's line; its ends are the standard's.
+  const LifeCurve at_one = root_life(material, 1.0, 1.0);
+  const LifeCurve at_two = root_life(material, 2.0, 1.0);
+  RootLimit limit;
+  limit.static_MPa = 1.0;
+  limit.notch_slope = at_two.static_MPa - at_one.static_MPa;
+  limit.notch_constant = at_one.static_MPa - limit.notch_slope;
+  limit.endurance_MPa = at_one.endurance_MPa;
+  const double range = std::log(at_one.endurance_cycles / at_one.static_cycles);
+  limit.static_weight = std::clamp(std::log(at_one.endurance_cycles / cycles) / range, 0.0, 1.0);
+  return limit;
+}
+
+void set_strength(const Problem& problem, InnerCase& inner) {
+  const GearMaterial& steel = find_steel(*problem.steel)->material;
+  const LoadFactors factors = assumed_factors(static_cast<std::int64_t>(inner.planets));
+  const double cycles = problem.load_cycles ? io::nearest(*problem.load_cycles) : kAssumedCycles;
+  const double common = factors.application * factors.dynamic * factors.load_sharing;
+  inner.root = root_limit(steel, cycles);
+  inner.alternating_bending = factors.alternating_bending;
+  inner.root_factors = common * factors.face_load_root * kAssumedRootSafety;
+  inner.flank_factors = common * factors.face_load_flank * square(kAssumedFlankSafety);
+  const LifeCurve flank = flank_life(steel);
+  inner.flank_limit_MPa = std::min(flank.static_MPa, flank.at_MPa(cycles));
+  inner.elasticity =
+      elasticity_factor(steel.young_MPa, steel.poisson, steel.young_MPa, steel.poisson);
+}
+
+/// F_t on the reference circle: torque over n m z/2, whatever the shifts.
+void set_forces(const Problem& problem, InnerCase& inner) {
+  const auto& z = inner.teeth;
+  const double ratio = (z[0] + z[3]) * z[1] * z[4] / (z[0] * (z[1] * z[4] - z[3] * z[2]));
+  const double output_Nmm = 1e3 * io::nearest(*problem.load_output_torque_Nm);
+  const double sun_Nmm = output_Nmm / ratio;
+  const auto force = [&](double torque_Nmm, std::size_t layer, double teeth) {
+    return torque_Nmm / (inner.planets * inner.module_mm[layer] * teeth / 2.0);
+  };
+  inner.reference_force_N = {force(sun_Nmm, 0, z[0]), force(output_Nmm - sun_Nmm, 0, z[3]),
+                             force(output_Nmm, 1, z[4])};
+}
+
+std::optional<double> number(const std::optional<Rational>& value) {
+  if (!value) return std::nullopt;
+  return io::nearest(*value);
+}
+
+void set_bounds(const Problem& problem, const Rational& module_mm, InnerCase& inner) {
+  const Cutters cutters = stated_cutters(problem);
+  inner.hob_depth = cutters.hob_depth();
+  inner.shaper_depth = cutters.shaper_depth();
+  inner.undercut_depth = undercut_depth(cutters);
+  inner.hob_tip_radius = cutters.hob_tip_radius;
+  inner.shaper_tip_radius = cutters.shaper_tip_radius;
+  if (cutters.shaper_teeth) inner.shaper_teeth = static_cast<double>(*cutters.shaper_teeth);
+  inner.ring_space_mm = io::nearest(ring_space_mm(problem));
+  inner.min_contact_ratio = io::nearest(problem.min_contact_ratio);
+  inner.min_neighbour_clearance_mm = io::nearest(problem.min_neighbour_clearance_mm);
+  inner.sun_under_second_layer = problem.sun_under_second_layer;
+  inner.min_tip_thickness = io::nearest(problem.synthesis->least_tip_thickness);
+  inner.least_shift = io::nearest(problem.synthesis->least_shift);
+  inner.greatest_shift = io::nearest(problem.synthesis->greatest_shift);
+  inner.min_face_width_mm = io::nearest(problem.synthesis->least_face_width_mm);
+  inner.max_face_width_mm = number(problem.synthesis->greatest_face_width_mm);
+  inner.min_hollow_shaft_mm = number(problem.floors.hollow_shaft_mm);
+  inner.hollow_shaft_wall_mm = io::nearest(hollow_shaft_wall_mm(problem, module_mm));
+  inner.max_axial_length_mm = number(problem.floors.axial_length_mm);
+  inner.friction = number(problem.friction_coefficient);
+  inner.min_forward_efficiency = number(problem.floors.forward_efficiency);
+  inner.min_backward_efficiency = number(problem.floors.backward_efficiency);
+  inner.density_kg_m3 = io::nearest(*problem.density_kg_m3);
+}
+
+}  // namespace
+
+LayerModules layer_modules(const Problem& problem) {
+  return {problem.module_mm, problem.synthesis->layer_2_module_mm};
+}
+
+Design design_of(const LayerModules& modules, const TrainChoice& choice) {
+  Design design{{choice.teeth.begin(), choice.teeth.end()},
+                choice.planet_count,
+                modules.first_mm[choice.module[0]]};
+  if (!modules.second_mm.empty()) {
+    const Rational& second_mm = modules.second_mm[choice.module[1]];
+    if (second_mm != design.module_mm) design.layer_2_module_mm = second_mm;
+  }
+  return design;
+}
+
+std::vector<TrainChoice> train_choices(const Problem& problem, const LayerModules& modules,
+                                       std::size_t most) {
+  std::vector<TrainChoice> found;
+  ChoiceWalk walk(problem, modules, most, found);
+  for (const std::int64_t planets : problem.planet_count) {
+    for (std::size_t first = 0; first < modules.first_mm.size(); ++first) {
+      const std::size_t seconds = std::max<std::size_t>(1, modules.second_mm.size());
+      for (std::size_t second = 0; second < seconds; ++second) walk.walk(planets, first, second);
+    }
+  }
+  return found;
+}
+
+InnerCase inner_case(const Problem& problem, const LayerModules& modules,
+                     const TrainChoice& choice) {
+  const Design design = design_of(modules, choice);
+  const Rational& second_mm = design.layer_2_module_mm.value_or(design.module_mm);
+  InnerCase inner;
+  for (std::size_t i = 0; i < 5; ++i) inner.teeth[i] = static_cast<double>(choice.teeth[i]);
+  inner.planets = static_cast<double>(choice.planet_count);
+  inner.sine_of_half_spacing = std::sin(std::numbers::pi / inner.planets);
+  inner.module_mm = {io::nearest(design.module_mm), io::nearest(second_mm)};
+  inner.wall_mm = {io::nearest(ring_wall_mm(problem, design.module_mm)),
+                   io::nearest(ring_wall_mm(problem, second_mm))};
+  set_bounds(problem, design.module_mm, inner);
+  set_strength(problem, inner);
+  set_forces(problem, inner);
+  return inner;
+}
+
+std::optional<InnerBox> inner_box(const Problem& problem, const InnerCase& inner) {
+  const double low = io::nearest(problem.synthesis->least_shift);
+  const double high = io::nearest(problem.synthesis->greatest_shift);
+  const double between = inner.teeth[0] + inner.teeth[1];
+  const auto centre_mm = [&](double shifts) {
+    const double involute =
+        std::max(0.0, kReferenceInvolute + 2.0 * kReferenceTangent * shifts / between);
+    const double tangent = tangent_of_involute(involute);
+    return 0.5 * inner.module_mm[0] * between * kReferenceCosine *
+           std::sqrt(1.0 + tangent * tangent);
+  };
+  const double fixed_mm =
+      0.5 * inner.module_mm[0] * (inner.teeth[3] - inner.teeth[1]) * kReferenceCosine;
+  const double output_mm =
+      0.5 * inner.module_mm[1] * (inner.teeth[4] - inner.teeth[2]) * kReferenceCosine;
+  const double least_mm = std::max({centre_mm(2.0 * low), fixed_mm, output_mm}) * (1.0 + 1e-12);
+  const double greatest_mm = centre_mm(2.0 * high);
+  if (!(least_mm < greatest_mm)) return std::nullopt;
+  return InnerBox{Interval{least_mm, greatest_mm}, Interval{low, high}};
+}
+
+}  // namespace torquewright::gearbox

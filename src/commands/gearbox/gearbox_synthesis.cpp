@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/gearbox/gearbox_synthesis.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "gearbox/synthesis/synthesis.hpp"
+#include "io/faults/refusal.hpp"
+#include "src/commands/gearbox/design_drawing.hpp"
+#include "src/commands/gearbox/gearbox_outputs.hpp"
+#include "src/commands/gearbox/synthesis_result_json.hpp"
+#include "src/report/gearbox/synthesis_text.hpp"
+#include "src/report/parts/progress_line.hpp"
+#include "src/window_text.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+using gearbox::SynthesisResult;
+using gearbox::SynthesisStatus;
+
+void refuse_unknown_options(const OptimizeRequest& request) {
+  if (request.verify) {
+    io::refuse("--verify", "cannot check a synthesis yet: its certificate holds no claims");
+  }
+  if (request.top != 1) io::refuse("--top", "a synthesis seeks one design");
+  if (request.relaxation != "auto") {
+    io::refuse("--relaxation", "a synthesis bounds by enclosures alone");
+  }
+}
+
+SynthesisResult synthesised(const OptimizeRequest& request, const gearbox::Problem& problem,
+                            const std::function<bool()>& is_over) {
+  report::ProgressLine line;
+  gearbox::SynthesisOptions options;
+  options.max_boxes = request.max_nodes;
+  options.should_stop = is_over;
+  options.report = [&line](const gearbox::SynthesisProgress& progress) {
+    line.show(fmt::format("{} boxes done, {} open, best {}, bound {:.6g} kg", progress.boxes,
+                          progress.open,
+                          progress.mass_kg ? fmt::format("{:.6g} kg", *progress.mass_kg) : "none",
+                          progress.bound_kg));
+  };
+  return gearbox::synthesise(problem, options);
+}
+
+ExitCode exit_code_of(SynthesisStatus status) {
+  switch (status) {
+    case SynthesisStatus::kOptimal:
+      return ExitCode::kPasses;
+    case SynthesisStatus::kInfeasible:
+      return ExitCode::kFails;
+    case SynthesisStatus::kLimit:
+      break;
+  }
+  return ExitCode::kUndecided;
+}
+
+}  // namespace
+
+ExitCode run_synthesis(const OptimizeRequest& request, const ReadProblem& read,
+                       const std::function<bool()>& is_over) {
+  refuse_unknown_options(request);
+  const auto start = std::chrono::steady_clock::now();
+  const SynthesisResult found = synthesised(request, read.problem, is_over);
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const std::string json = synthesis_result_json(request, read, found, seconds.count());
+  std::string text = report::synthesis_text(read.problem, found);
+  if (request.timing) text += fmt::format("Search time: {:.4f} s\n", seconds.count());
+  std::optional<std::string> drawing;
+  if (!request.outputs.drawing.empty() && found.best) {
+    drawing = drawing_of(found.best->problem, found.best->design);
+  }
+  write_outputs(request.outputs, json, drawing, request.json ? json : for_window(text));
+  return exit_code_of(found.status);
+}
+
+}  // namespace torquewright::cli

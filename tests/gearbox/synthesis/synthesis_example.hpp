@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "gearbox/problem_spec.hpp"
+#include "gearbox/synthesis_defaults_spec.hpp"
+#include "io/documents/document.hpp"
+
+namespace torquewright::gearbox::test {
+
+/// 20:1 exactly in 79.4 mm for 120 Nm, of few choices.
+inline nlohmann::json small_synthesis() {
+  nlohmann::json problem{{"kind", "gearbox_problem"},
+                         {"version", 1},
+                         {"topology", "3k"},
+                         {"target_ratio", 20},
+                         {"ratio_tolerance", 0},
+                         {"rotor_inner_diameter_mm", 79.4},
+                         {"module_mm", 0.7},
+                         {"planet_count", {3, 4}},
+                         {"min_teeth", {{"sun", 20}, {"planet_1", 16}, {"planet_2", 14}}},
+                         {"load", {{"output_torque_Nm", 120}, {"cycles", 1000000}}},
+                         {"synthesis", nlohmann::json::object()}};
+  assume_for_synthesis(problem);
+  return problem;
+}
+
+inline Problem problem_from(const nlohmann::json& root) {
+  return read_problem(io::check_document(root, "gearbox_problem", "test.json", ""));
+}
+
+}  // namespace torquewright::gearbox::test

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gearbox/synthesis/synthesis.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "gearbox/strength/problem_strength.hpp"
+#include "gearbox/topologies/topology.hpp"
+#include "tests/gearbox/synthesis/synthesis_example.hpp"
+
+namespace torquewright::gearbox {
+namespace {
+
+/// One module and planet count, and few teeth, so that a fine grid can walk through all of it.
+nlohmann::json tiny_synthesis() {
+  nlohmann::json root = test::small_synthesis();
+  root["planet_count"] = 3;
+  root["min_teeth"] = {{"sun", 50}, {"planet_1", 20}, {"planet_2", 16}};
+  root["synthesis"]["gap"] = 0.002;
+  return root;
+}
+
+// Oracle: evaluate and strength on a grid of centre distances and shifts of every choice of teeth
+// that a triple loop finds. None may be lighter than the bound, and the best of the grid is hardly
+// heavier than the optimum.
+TEST(Synthesis, IsNotBeatenByAFineGrid) {
+  const Problem problem = test::problem_from(tiny_synthesis());
+  const SynthesisResult found = synthesise(problem);
+  ASSERT_EQ(found.status, SynthesisStatus::kOptimal);
+  const LayerModules modules = layer_modules(problem);
+  double best_kg = 1e300;
+  int designs = 0;
+  for (const TrainChoice& choice : train_choices(problem, modules, 1000000)) {
+    const InnerBox box = *inner_box(problem, inner_case(problem, modules, choice));
+    constexpr int kSteps = 15;
+    const auto at = [&](const Interval& range, int step) {
+      return range.lower + (range.upper - range.lower) * step / kSteps;
+    };
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; j <= kSteps; ++j) {
+        for (int k = 0; k <= j; ++k) {
+          const SizedDesign sized =
+              sized_design(problem, modules, choice, {at(box[0], i), at(box[1], j), at(box[1], k)});
+          if (!sized.objection.empty()) continue;
+          best_kg = std::min(best_kg, sized.mass_kg);
+          ++designs;
+        }
+      }
+    }
+  }
+  EXPECT_GT(designs, 10);
+  EXPECT_GE(best_kg, found.bound_kg);
+  EXPECT_LT(best_kg, 1.1 * found.bound_kg);
+}
+
+/// Every choice of teeth by its definition: ratio, coaxiality within a tooth, equal spacing and
+/// planets that are alike, minima, bore.
+TEST(Synthesis, ChoosesAmongAllTeethThatMeetRatioAndAssembly) {
+  const Problem problem = test::problem_from(test::small_synthesis());
+  std::size_t expected = 0;
+  for (std::int64_t n : {3, 4}) {
+    for (std::int64_t s = 20; s <= 113; ++s) {
+      for (std::int64_t p = 16; p <= 113; ++p) {
+        for (std::int64_t f = s + 2 * p - 1; f <= s + 2 * p + 1 && f <= 113; ++f) {
+          for (std::int64_t q = 14; q + n <= p; ++q) {
+            for (std::int64_t o = s + p + q - 1; o <= s + p + q + 1; ++o) {
+              if ((s + f) % n != 0 || (s + f) * p * o != 20 * s * (p * o - f * q)) continue;
+              const double angle = std::asin(static_cast<double>(p) / static_cast<double>(s + p));
+              if (std::numbers::pi / static_cast<double>(n) < angle) continue;
+              if ((o * p - f * q) % (n * std::gcd(p, q)) == 0) ++expected;
+            }
+          }
+        }
+      }
+    }
+  }
+  EXPECT_EQ(train_choices(problem, layer_modules(problem), 1000000).size(), expected);
+  EXPECT_GT(expected, 5U);
+}
+
+// Oracle: evaluate and strength of the design as it is written.
+TEST(Synthesis, AgreesWithEvaluateAndStrength) {
+  const Problem problem = test::problem_from(test::small_synthesis());
+  const SynthesisResult found = synthesise(problem);
+  ASSERT_TRUE(found.best);
+  Problem asked = problem;
+  asked.face_width_mm = {{"layer_1", io::exact(found.best->face_width_mm[0])},
+                         {"layer_2", io::exact(found.best->face_width_mm[1])}};
+  const DesignReport report = find_topology("3k")->evaluate(asked, found.best->design);
+  EXPECT_TRUE(report.feasible());
+  EXPECT_NEAR(report.mass_kg.value(), found.best->mass_kg, 1e-12);
+  const auto strength = strength_of_design(asked, found.best->design);
+  ASSERT_TRUE(strength);
+  EXPECT_TRUE(has_demanded_safety(*strength, tooth_loads(*strength, 120.0 / 20.0)));
+  EXPECT_LE(found.bound_kg, found.best->mass_kg);
+}
+
+TEST(Synthesis, HasAValidBoundWhereverItIsEnded) {
+  const Problem problem = test::problem_from(test::small_synthesis());
+  const double optimum_kg = synthesise(problem).best->mass_kg;
+  double before_kg = 0.0;
+  for (const std::int64_t boxes : {1, 50, 200, 400}) {
+    SynthesisOptions options;
+    options.max_boxes = boxes;
+    const SynthesisResult ended = synthesise(problem, options);
+    EXPECT_LE(ended.bound_kg, optimum_kg);
+    EXPECT_GE(ended.bound_kg, before_kg);
+    before_kg = ended.bound_kg;
+  }
+}
+
+TEST(Synthesis, KeepsFloorsAndSaysWhereNoneIsLeft) {
+  nlohmann::json root = test::small_synthesis();
+  const SynthesisResult free = synthesise(test::problem_from(root));
+  const double before = free.best->report.backward_efficiency;
+  root["min_backward_efficiency"] = before + 0.004;
+  const SynthesisResult floored = synthesise(test::problem_from(root));
+  ASSERT_TRUE(floored.best);
+  EXPECT_GE(floored.best->report.backward_efficiency, before + 0.004);
+  EXPECT_GE(floored.best->mass_kg, free.bound_kg);
+  root["min_backward_efficiency"] = 0.995;
+  EXPECT_EQ(synthesise(test::problem_from(root)).status, SynthesisStatus::kInfeasible);
+  root = test::small_synthesis();
+  root["max_axial_length_mm"] = 5;
+  EXPECT_EQ(synthesise(test::problem_from(root)).status, SynthesisStatus::kInfeasible);
+}
+
+}  // namespace
+}  // namespace torquewright::gearbox
