@@ -6,6 +6,7 @@
 
 #include "identification/answer/allowed_equations.hpp"
 #include "identification/answer/analysis.hpp"
+#include "identification/findings/joint_verdicts.hpp"
 #include "identification/findings/undetermined.hpp"
 #include "identification/findings/with_effects.hpp"
 #include "identification/findings/written.hpp"
@@ -14,24 +15,6 @@
 namespace torquewright::identification {
 namespace {
 
-/// How much a verdict on one equation weighs for the whole: what is known to be wrong comes before
-/// what cannot be told, that before what is explained.
-int weight(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::kNothingMissing:
-      return 0;
-    case Verdict::kExplained:
-      return 1;
-    case Verdict::kCannotTell:
-      return 2;
-    case Verdict::kUnexplained:
-      return 3;
-    case Verdict::kPartlyExplained:
-      return 4;
-  }
-  return 0;
-}
-
 bool has_error(const std::vector<DataFinding>& findings) {
   return std::any_of(findings.begin(), findings.end(),
                      [](const DataFinding& each) { return each.weight == Weight::kError; });
@@ -39,16 +22,10 @@ bool has_error(const std::vector<DataFinding>& findings) {
 
 Verdict overall(const std::vector<EquationResult>& equations,
                 const std::vector<DataFinding>& findings) {
-  if (has_error(findings) || equations.empty()) return Verdict::kCannotTell;
-  Verdict verdict = Verdict::kNothingMissing;
-  bool any_added = false;
-  for (const EquationResult& equation : equations) {
-    if (weight(equation.verdict) > weight(verdict)) verdict = equation.verdict;
-    any_added = any_added || !equation.added.empty();
-  }
-  // One equation explained, another with structure left: explained in part.
-  if (verdict == Verdict::kUnexplained && any_added) return Verdict::kPartlyExplained;
-  return verdict;
+  if (has_error(findings)) return Verdict::kCannotTell;
+  std::vector<const EquationResult*> all;
+  for (const EquationResult& each : equations) all.push_back(&each);
+  return verdict_of_all(all);
 }
 
 /// The first equation with an effect; else the torque's, which comes first.

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/answer/joints_json.hpp"
+
 namespace torquewright::identification {
 namespace {
 
@@ -284,6 +286,7 @@ ordered_json identification_report_json(const Identification& found) {
     document["data_findings"].push_back(
         {{"severity", name_of(finding.weight)}, {"sentence", finding.sentence}});
   }
+  add_joints(found, document);
   if (!found.not_asked.empty()) document["not_asked"] = found.not_asked;
   if (!found.tables.empty()) document["empirical_tables"] = ordered_json::array();
   for (const EmpiricalTable& table : found.tables) {

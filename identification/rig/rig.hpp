@@ -73,6 +73,8 @@ struct Rig {
   bool joints_by_columns = false;
   /// The law of each joint's controller, where it is stated; empty: no law is.
   std::vector<std::optional<actuator::PositionLaw>> controllers;
+  /// Indices of joints that have the same hardware, group by group.
+  std::vector<std::vector<std::size_t>> alike;
   std::vector<std::string> holdout_runs;  ///< Names of runs to hold out; empty: none stated.
   /// Pointers to values that a fit may correct: /load/..., /loads/RUN/..., /motor/..., /gearbox/...
   std::vector<std::string> uncertain;

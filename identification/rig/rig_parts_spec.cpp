@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "io/documents/document.hpp"
 #include "io/documents/schema.hpp"
 #include "io/faults/json_text.hpp"
 #include "io/files/file_bytes.hpp"
+#include "io/text/name_pattern.hpp"
 #include "io/text/nearest.hpp"
 #include "io/text/wording.hpp"
 
@@ -101,6 +104,25 @@ std::string objection_to_pointer(const std::string& pointer, const json& rig) {
       "/loads/RUN/...) or "
       "of the actuator's motor or gearbox (/motor/..., /gearbox/...)",
       io::as_written(pointer));
+}
+
+std::vector<std::size_t> joints_of_patterns(
+    const json& patterns, const std::vector<std::string>& joints,
+    const std::function<void(std::size_t place, std::string fault)>& report) {
+  std::set<std::size_t> found;
+  for (std::size_t place = 0; place < patterns.size(); ++place) {
+    const std::string pattern = patterns[place];
+    bool fits = false;
+    for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+      if (!io::fits_pattern(joints[joint], pattern)) continue;
+      found.insert(joint);
+      fits = true;
+    }
+    if (fits) continue;
+    report(place, fmt::format("\"{}\" fits no joint of the log; they are {}", pattern,
+                              io::listed(joints)));
+  }
+  return {found.begin(), found.end()};
 }
 
 }  // namespace torquewright::identification

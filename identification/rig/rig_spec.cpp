@@ -68,6 +68,7 @@ class RigReader {
     read_ignored();
     find_joints();
     read_controllers();
+    read_alike();
     find_doubles();
     require_time();
     rig_.holdout_runs = root_.value("holdout_runs", std::vector<std::string>());
@@ -125,6 +126,17 @@ class RigReader {
     rig_.controllers = controllers_of_json(
         root_, rig_.joints,
         [&](const std::string& key, std::string message) { report(key, std::move(message)); });
+  }
+
+  /// Names, or patterns of them.
+  void read_alike() {
+    const json groups = root_.value("alike", json::array());
+    for (std::size_t number = 0; number < groups.size(); ++number) {
+      rig_.alike.push_back(joints_of_patterns(
+          groups[number], rig_.joints, [&](std::size_t place, std::string message) {
+            report(fmt::format("/alike/{}/{}", number, place), std::move(message));
+          }));
+    }
   }
 
   Load read_load(const std::string& path, const json& load) {

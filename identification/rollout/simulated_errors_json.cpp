@@ -24,28 +24,25 @@ ordered_json errors_json(const Rollout& rollout) {
           {"diverged", rollout.train.diverged + rollout.holdout.diverged}};
 }
 
-ordered_json errors_json(const Rollout& rollout, std::size_t joint) {
-  return {{"train_rms", rms_or_null(rollout.train, joint)},
-          {"holdout_rms", rms_or_null(rollout.holdout, joint)}};
-}
-
 }  // namespace
 
 ordered_json simulated_json(const SimulatedErrors& errors) {
-  const bool is_refined = !errors.after.empty();
-  ordered_json simulated{{"unit", "rad"}, {"window_s", kWindows_s[kLeadingWindow]}};
-  simulated["before"] = errors_json(errors.before[kLeadingWindow]);
-  if (is_refined) simulated["after"] = errors_json(errors.after[kLeadingWindow]);
+  const bool is_refined = errors.is_refined;
+  ordered_json simulated{{"unit", "rad"}, {"windows_s", kWindows_s}};
+  simulated["before"] = errors_json(errors.before.whole);
+  if (is_refined) simulated["after"] = errors_json(errors.after.whole);
+  simulated["by_joint"] = ordered_json::array();
   for (std::size_t joint = 0; joint < errors.joints.size(); ++joint) {
     ordered_json entry{{"joint", errors.joints[joint]},
-                       {"before", errors_json(errors.before[kLeadingWindow], joint)}};
-    if (is_refined) entry["after"] = errors_json(errors.after[kLeadingWindow], joint);
+                       {"before", rms_or_null(judged(errors.before.whole), joint)}};
+    if (is_refined) entry["after"] = rms_or_null(judged(errors.after.whole), joint);
     simulated["by_joint"].push_back(std::move(entry));
   }
-  for (std::size_t length = 0; length < errors.before.size(); ++length) {
-    ordered_json entry{{"window_s", errors.before[length].window_s},
-                       {"before", errors_json(errors.before[length])}};
-    if (is_refined) entry["after"] = errors_json(errors.after[length]);
+  simulated["windows"] = ordered_json::array();
+  for (std::size_t length = 0; length < kWindows_s.size(); ++length) {
+    ordered_json entry{{"window_s", kWindows_s[length]},
+                       {"before", errors_json(errors.before.windows[length])}};
+    if (is_refined) entry["after"] = errors_json(errors.after.windows[length]);
     simulated["windows"].push_back(std::move(entry));
   }
   return simulated;

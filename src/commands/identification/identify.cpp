@@ -39,7 +39,7 @@ struct IdentifyFound {
   RefinedActuators refined;
   std::vector<report::RegionSection> regions;  ///< For the page, where one was asked for.
   /// Of a robot whose controllers' laws are stated.
-  std::optional<identification::SimulatedErrors> simulated;
+  std::optional<report::RobotReport> robot;
 };
 
 Identification identification_of(const IdentifyRequest& request, const IdentifyInputs& inputs) {
@@ -106,8 +106,11 @@ IdentifyFound compute(const IdentifyRequest& request, const IdentifyInputs& inpu
   found.refined = refined_actuators(inputs, found.identification);
   if (!inputs.refined.empty() || !request.as.empty())
     judge_as_written(request, inputs, found.identification, found.refined);
+  const std::string not_simulated = not_simulated_sentence(inputs);
+  if (!not_simulated.empty())
+    found.identification.findings.push_back({identification::Weight::kNote, not_simulated});
+  found.robot = simulated_robot(request, inputs, found.identification, found.refined);
   if (!request.report_file.empty()) found.regions = region_sections(inputs, found.refined);
-  found.simulated = simulated_errors(request, inputs, found.refined);
   return found;
 }
 
@@ -148,9 +151,9 @@ ExitCode exit_code_of(identification::Verdict verdict) {
 std::string printed(const IdentifyRequest& request, const IdentifyInputs& inputs,
                     const IdentifyFound& found, const report::IdentificationContext& context) {
   if (!request.as.empty()) return output_text(request, inputs, found);
-  if (request.json) return identify_json(request, inputs, found.identification, found.simulated);
+  if (request.json) return identify_json(request, inputs, found.identification, found.robot);
   std::string text = report::identification_text(found.identification, context);
-  if (found.simulated) text += report::simulated_text(*found.simulated);
+  if (found.robot) text += report::simulated_text(*found.robot);
   return for_window(text);
 }
 
@@ -169,15 +172,17 @@ void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
   }
   std::vector<io::FileContent> files = refined_files(inputs, found.refined);
   if (!files.empty()) context.refined_files = inputs.refined;
+  context.is_fitted_by_simulation = found.robot && found.robot->is_fitted;
   if (found.refined.judged)
     context.as_written = report::written_sentence(found.identification, *found.refined.judged);
   if (!request.report_file.empty()) {
     files.push_back({request.report_file,
-                     report::identification_html(found.identification, context, found.regions)});
+                     report::identification_html(found.identification, context, found.regions,
+                                                 found.robot ? &*found.robot : nullptr)});
   }
   if (!request.outputs.empty()) {
     files.push_back({report_document(request),
-                     identify_json(request, inputs, found.identification, found.simulated)});
+                     identify_json(request, inputs, found.identification, found.robot)});
   }
   deliver(std::move(files), printed(request, inputs, found, context));
   if (request.is_old_spelling) {

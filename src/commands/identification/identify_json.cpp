@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "identification/answer/report_spec.hpp"
+#include "identification/robot/robot_study_json.hpp"
 #include "identification/rollout/simulated_errors_json.hpp"
 #include "io/faults/json_text.hpp"
 #include "src/commands/shared/moved_references_json.hpp"
@@ -15,9 +16,15 @@ namespace torquewright::cli {
 
 std::string identify_json(const IdentifyRequest& request, const IdentifyInputs& inputs,
                           const identification::Identification& found,
-                          const std::optional<identification::SimulatedErrors>& simulated) {
+                          const std::optional<report::RobotReport>& robot) {
   nlohmann::ordered_json document = identification::identification_report_json(found);
-  if (simulated) document["simulated"] = identification::simulated_json(*simulated);
+  if (robot) document["simulated"] = identification::simulated_json(robot->errors);
+  if (robot && robot->study) {
+    document["simulated"]["after_is_fitted"] = robot->is_fitted;
+    identification::add_study(*robot->study, robot->errors.joints, document);
+  }
+  if (robot && !robot->disagreements.empty())
+    document["simulated"]["disagreements"] = robot->disagreements;
   document["options"] = nlohmann::ordered_json::object();
   if (!request.select) document["options"]["select"] = false;
   document["options"].update(stated_json(*request.declared));

@@ -5,8 +5,8 @@
 #include <optional>
 #include <string>
 
-#include "identification/rollout/simulated_errors.hpp"
 #include "src/commands/identification/identify_inputs.hpp"
+#include "src/report/identification/robot_report.hpp"
 
 namespace torquewright::cli {
 
@@ -14,7 +14,7 @@ namespace torquewright::cli {
 /// where there were any.
 std::string identify_json(const IdentifyRequest& request, const IdentifyInputs& inputs,
                           const identification::Identification& found,
-                          const std::optional<identification::SimulatedErrors>& simulated);
+                          const std::optional<report::RobotReport>& robot);
 
 /// A refined actuator as it is to stand in the output; empty: as it would stand where `nominal` is.
 std::string refined_text(nlohmann::ordered_json document, const std::string& nominal,

@@ -2,16 +2,25 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
-#include "identification/rollout/simulated_errors.hpp"
 #include "src/commands/identification/refined_actuators.hpp"
+#include "src/report/identification/robot_report.hpp"
 
 namespace torquewright::cli {
 
-/// Simulates the rig's robot under its own controllers with the actuators as stated, and as refined
-/// where any was. None where the rig's load is no robot, or a joint's law is not stated.
-std::optional<identification::SimulatedErrors> simulated_errors(const IdentifyRequest& request,
-                                                                const IdentifyInputs& inputs,
-                                                                const RefinedActuators& refined);
+/// Why the rig's robot is not simulated under its own controllers; empty where it is, or where the
+/// load is no robot.
+std::string not_simulated_sentence(const IdentifyInputs& inputs);
+
+/// Simulates the rig's robot under its own controllers with the actuators as stated, with what the
+/// balance of torques found, and with values fitted by simulation on the runs that were not held
+/// out. Where these leave the least on the runs that were, they take the place of what was found in
+/// `refined`, and the errors are those of the documents read back. Nothing where the rig's load is
+/// no robot, or a joint's law is not stated.
+std::optional<report::RobotReport> simulated_robot(const IdentifyRequest& request,
+                                                   const IdentifyInputs& inputs,
+                                                   const identification::Identification& found,
+                                                   RefinedActuators& refined);
 
 }  // namespace torquewright::cli

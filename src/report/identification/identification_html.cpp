@@ -10,6 +10,7 @@
 #include "src/report/identification/identification_plots.hpp"
 #include "src/report/identification/identification_runs_html.hpp"
 #include "src/report/identification/identification_verdict.hpp"
+#include "src/report/identification/robot_html.hpp"
 #include "src/report/parts/html_page.hpp"
 #include "src/report/parts/svg.hpp"
 
@@ -278,9 +279,11 @@ std::string tables_section(const Identification& found) {
 }  // namespace
 
 std::string identification_html(const Identification& found, const IdentificationContext& context,
-                                const std::vector<RegionSection>& regions) {
+                                const std::vector<RegionSection>& regions,
+                                const RobotReport* robot) {
   Pictures pictures("--report");
   std::string text = head(found, context);
+  if (robot != nullptr) text += robot_section(found, *robot, pictures);
   for (const EquationResult& equation : found.equations) {
     text += equation_section(equation, context, pictures);
   }

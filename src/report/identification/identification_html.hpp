@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/report/identification/identification_words.hpp"
+#include "src/report/identification/robot_report.hpp"
 
 namespace torquewright::report {
 
@@ -16,9 +17,11 @@ struct RegionSection {
 };
 
 /// An identification as a page that holds all of its styles and pictures; what users wrote is
-/// escaped. Draws with gnuplot: throws io::SpecError for --report where that is not installed.
+/// escaped. `robot`: where the rig's load is one that was simulated. Draws with gnuplot: throws
+/// io::SpecError for --report where that is not installed.
 std::string identification_html(const identification::Identification& found,
                                 const IdentificationContext& context,
-                                const std::vector<RegionSection>& regions);
+                                const std::vector<RegionSection>& regions,
+                                const RobotReport* robot = nullptr);
 
 }  // namespace torquewright::report

@@ -238,7 +238,12 @@ std::string refined_lines(const Identification& found, const IdentificationConte
     step = "";
   }
   if (!text.empty() && !context.as_written.empty()) text += line("", context.as_written);
-  const bool is_sure = identification::has_anything_to_write(found);
+  if (!text.empty() && context.is_fitted_by_simulation)
+    text += line("",
+                 "with the values that the simulation fitted to the drives; those of bodies and "
+                 "encoders are in the report alone");
+  const bool is_sure =
+      context.is_fitted_by_simulation || identification::has_anything_to_write(found);
   if (text.empty()) {
     text = line(step, is_sure ? "not asked for (--refined)" : "none: there is nothing sure to add");
   }

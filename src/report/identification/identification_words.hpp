@@ -22,6 +22,8 @@ struct IdentificationContext {
   std::string as_written = {};      ///< What those written leave (written_sentence).
   /// Whether an actuator's file is one that other commands read, and not made of a robot's joint.
   std::vector<bool> has_actuator_files = {};
+  /// What is refined are values that a simulation of the robot gave, and not what equations named.
+  bool is_fitted_by_simulation = false;
 };
 
 /// What texts and pictures of an identification share.

@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include "identification/robot/robot_study_json.hpp"
+
 namespace torquewright::report {
 namespace {
 
+using identification::judged;
+using identification::RobotErrors;
 using identification::Rollout;
 using identification::RolloutError;
 using identification::SimulatedErrors;
@@ -13,25 +17,52 @@ using identification::SimulatedErrors;
 std::string milliradians(double error_rad) { return fmt::format("{:.3g}", 1e3 * error_rad); }
 
 /// "12.3 -> 4.5", or the first alone where nothing was refined.
-std::string change(double before_rad, const double* after_rad) {
-  if (after_rad == nullptr) return milliradians(before_rad);
-  return fmt::format("{} -> {}", milliradians(before_rad), milliradians(*after_rad));
+std::string change(const Rollout& before, const Rollout* after) {
+  const std::string first = milliradians(judged(before).all_rad);
+  if (after == nullptr || judged(*after).by_joint_rad.empty()) return first;
+  return fmt::format("{} -> {}", first, milliradians(judged(*after).all_rad));
 }
 
-/// The runs that no fit saw, or the fitted ones where none was held out.
-const RolloutError& judged(const Rollout& rollout) {
-  return rollout.holdout.windows > 0 ? rollout.holdout : rollout.train;
+std::string length_lines(const SimulatedErrors& errors) {
+  std::string text;
+  const auto add = [&](const std::string& what, const Rollout& before, const Rollout* after) {
+    if (judged(before).by_joint_rad.empty()) return;
+    text += fmt::format("  {:26} {}\n", what, change(before, after));
+  };
+  add("whole runs", errors.before.whole, errors.is_refined ? &errors.after.whole : nullptr);
+  for (std::size_t i = 0; i < errors.before.windows.size(); ++i) {
+    add(fmt::format("windows of {:g} s", errors.before.windows[i].window_s),
+        errors.before.windows[i], errors.is_refined ? &errors.after.windows[i] : nullptr);
+  }
+  return text;
+}
+
+std::string joint_lines(const SimulatedErrors& errors) {
+  const RolloutError& before = judged(errors.before.whole);
+  const RolloutError& after = judged(errors.after.whole);
+  std::string text;
+  for (std::size_t joint = 0; joint < before.by_joint_rad.size(); ++joint) {
+    text +=
+        fmt::format("    {:24} {}", errors.joints[joint], milliradians(before.by_joint_rad[joint]));
+    if (errors.is_refined && joint < after.by_joint_rad.size()) {
+      text += " -> " + milliradians(after.by_joint_rad[joint]);
+    }
+    text += '\n';
+  }
+  return text;
 }
 
 std::string diverged_text(const SimulatedErrors& errors) {
   std::size_t diverged = 0, windows = 0;
-  for (const std::vector<Rollout>* all : {&errors.before, &errors.after}) {
-    for (const Rollout& rollout : *all) {
-      for (const RolloutError* error : {&rollout.train, &rollout.holdout}) {
-        diverged += error->diverged;
-        windows += error->windows;
-      }
+  const auto add = [&](const Rollout& rollout) {
+    for (const RolloutError* error : {&rollout.train, &rollout.holdout}) {
+      diverged += error->diverged;
+      windows += error->windows;
     }
+  };
+  for (const RobotErrors* all : {&errors.before, &errors.after}) {
+    for (const Rollout& rollout : all->windows) add(rollout);
+    add(all->whole);
   }
   if (diverged == 0) return "";
   return fmt::format(
@@ -42,28 +73,32 @@ std::string diverged_text(const SimulatedErrors& errors) {
 
 }  // namespace
 
-std::string simulated_text(const SimulatedErrors& errors) {
-  const bool is_held_out = errors.before.front().holdout.windows > 0;
-  std::string text =
-      fmt::format("simulated      the whole robot under its own controllers, mrad rms on {} runs\n",
-                  is_held_out ? "held-out" : "fitted");
-  for (std::size_t length = 0; length < errors.before.size(); ++length) {
-    const RolloutError& before = judged(errors.before[length]);
-    if (before.by_joint_rad.empty()) continue;
-    const double* after = errors.after.empty() ? nullptr : &judged(errors.after[length]).all_rad;
-    text += fmt::format("  windows of {:g} s{:>10}  {}\n", errors.before[length].window_s, "",
-                        change(before.all_rad, after));
+std::vector<std::string> robot_findings(const RobotReport& robot) {
+  std::vector<std::string> sentences = robot.disagreements;
+  if (!robot.study) return sentences;
+  for (const identification::AlikeNumber& number : robot.study->alike) {
+    for (const identification::UnlikeJoint& each : number.unlike) {
+      sentences.push_back(identification::sentence_of(number, each, robot.errors.joints));
+    }
   }
-  const std::size_t leading = identification::kLeadingWindow;
-  const RolloutError& before = judged(errors.before[leading]);
-  for (std::size_t joint = 0; joint < before.by_joint_rad.size(); ++joint) {
-    const double* after = errors.after.empty() || judged(errors.after[leading]).by_joint_rad.empty()
-                              ? nullptr
-                              : &judged(errors.after[leading]).by_joint_rad[joint];
-    text += fmt::format("    {:24} {}\n", errors.joints[joint],
-                        change(before.by_joint_rad[joint], after));
+  for (const identification::LoadError& each : robot.study->load.errors) {
+    sentences.push_back(identification::sentence_of(each));
   }
-  return text + diverged_text(errors);
+  return sentences;
+}
+
+std::string simulated_text(const RobotReport& robot) {
+  const SimulatedErrors& errors = robot.errors;
+  const bool is_held_out = errors.before.whole.holdout.windows > 0;
+  std::string text = fmt::format(
+      "simulated      the whole robot under its own controllers, mrad rms on {} runs{}\n",
+      is_held_out ? "held-out" : "fitted",
+      !errors.is_refined ? ""
+      : robot.is_fitted  ? ", as stated -> with values fitted by simulation"
+                         : ", as stated -> with what was found");
+  text += length_lines(errors) + joint_lines(errors) + diverged_text(errors);
+  for (const std::string& each : robot_findings(robot)) text += "  " + each + "\n";
+  return text;
 }
 
 }  // namespace torquewright::report
