@@ -124,6 +124,26 @@ TEST(RobotLogStudy, FollowsTheLegsCloserThanListsOfNumbersAndNamesTheCalf) {
   EXPECT_TRUE(has_wave) << calf.dump(1);
 }
 
+TEST(RobotLogStudy, SaysWhoseLawIsMissingWhereNothingIsSimulated) {
+  const fs::path folder = log_folder();
+  if (folder.empty()) GTEST_SKIP() << "no ../shared/data/logs/go2_in_air: the log is not here";
+  const Workplace place;
+  const std::string model = (folder / "go2.xml").string();
+  ASSERT_EQ(place.run({"robot", "import", model, "-o", "go2.json"}).exit_code, 0);
+  json part = rig();
+  part["controllers"] = {{"*_hip_joint", part["controller"]},
+                         {"*_thigh_joint", part["controller"]}};
+  part.erase("controller");
+  place.write("rig.json", part.dump());
+  place.write("legs.csv", first_lines(folder / "legs_swinging.csv", 800));
+  const Outcome outcome = place.run({"identify", "residual", "legs.csv", "--rig", "rig.json"});
+  EXPECT_NE(outcome.out.find("the law of FL_calf_joint, FR_calf_joint, RL_calf_joint, RR_calf_joint"
+                             " is not stated"),
+            std::string::npos)
+      << outcome.out << outcome.err;
+  EXPECT_EQ(outcome.out.find("simulated      the whole robot"), std::string::npos);
+}
+
 TEST(RobotLogStudy, WritesNothingOverTheRobot) {
   const fs::path folder = log_folder();
   if (folder.empty()) GTEST_SKIP() << "no ../shared/data/logs/go2_in_air: the log is not here";
