@@ -164,6 +164,7 @@ const std::vector<LeftOut> kLeftOut = {
     {R"(policy: /estimator/layers/\*/(activation|alpha))", "shown by the layers behind"},
     {"randomisation: /state_of_charge(/.*)?", "needs batteries with a curve"},
     {R"(rig: (.*/links(/.*)?|/columns/\*/joint))", "of a serial arm; the example is a pendulum"},
+    {R"(rig: .*/steady)", "of a dynamometer; the example is a pendulum"},
     {R"(rig: (.*/(file|base|roll_rad|pitch_rad|held_rad)(/.*)?|/controllers?(/.*)?|/alike(/.*)?))",
      "of a robot; the example is a pendulum"},
     {R"(robot: /base/(position_m|rotation_rpy_rad))", "of a fixed base"},
