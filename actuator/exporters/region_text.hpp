@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "actuator/exporters/exporter.hpp"
 #include "actuator/conditions/region_grid.hpp"
+#include "actuator/exporters/exporter.hpp"
 
 namespace torquewright::actuator {
 

@@ -116,8 +116,7 @@ TEST(RegionLookup, ComparesSpeedMarginsAsItComputesThem) {
     const double margin_rad_s = lookup.speed_margin_rad_s(speed_rad_s, torque_Nm);
     if (!std::isfinite(margin_rad_s)) continue;
     EXPECT_FALSE(lookup.has_less_speed_margin(speed_rad_s, torque_Nm, margin_rad_s - 1e-3));
-    if (std::abs(speed_rad_s) + margin_rad_s + 1e-3 > lookup.greatest_speed_rad_s())
-      continue;
+    if (std::abs(speed_rad_s) + margin_rad_s + 1e-3 > lookup.greatest_speed_rad_s()) continue;
     EXPECT_TRUE(lookup.has_less_speed_margin(speed_rad_s, torque_Nm, margin_rad_s + 1e-3));
   }
 }
