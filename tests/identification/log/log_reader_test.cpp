@@ -91,7 +91,7 @@ TEST(ReadLog, FillsEmptyCellsAndMasksWhereNothingIsNear) {
   ASSERT_EQ(result.refusal, "");
   std::vector<double> current;
   std::vector<int> masked;
-  for (const Run& run : result.log.runs) {
+  for (const auto& run : result.log.runs) {
     const auto& values = run.joints[0][Quantity::kMotorCurrent];
     current.insert(current.end(), values.begin(), values.end());
     masked.insert(masked.end(), run.masked.begin(), run.masked.end());
