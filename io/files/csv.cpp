@@ -134,6 +134,7 @@ void CsvReader::take_units(UnitsRow units_row) {
   if (!lines_.next(line)) return;
   read_ahead_.emplace(line);
   if (trimmed(line).empty()) return;
+  line_ = lines_.line_number();
   split(*read_ahead_);
   std::size_t known = 0;
   std::vector<std::string> units;
@@ -143,7 +144,6 @@ void CsvReader::take_units(UnitsRow units_row) {
     known += find_unit(units.back()).has_value();
   }
   if (cells_.size() != header_.size() || 2 * known < cells_.size()) return;
-  line_ = lines_.line_number();
   if (units_row == UnitsRow::kRefused) {
     refuse_row("is a row of units, and units are stated elsewhere here; delete the line");
   }

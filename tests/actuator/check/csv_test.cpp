@@ -135,7 +135,7 @@ INSTANTIATE_TEST_SUITE_P(
         MistakenText{"a;b\n1,5;2.5\n",
                      "line 2, column 2 (b): \"2.5\" has a decimal point, and cells before it have "
                      "commas"},
-        MistakenText{"a;b\n1;2\n1,2\n",
+        MistakenText{"a;b\n1;2\n1\t2\n",
                      "line 3: has 1 cells, the header has 2; separated otherwise than the header? "
                      "one table has one separator"},
         MistakenText{"a;b\n1.234,5;2\n", "line 2, column 1 (a): \"1.234,5\" is not a number"},
