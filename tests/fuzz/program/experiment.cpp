@@ -71,7 +71,8 @@ Run Experiment::perform(const Case& one) {
   run.outputs = by_all_names(outputs_of(one.arguments), scene_);
   run.input_bytes = total_bytes(run.inputs, scene_);
   const Look before = scene_.look();
-  const auto patience = std::chrono::milliseconds(static_cast<long>(1e3 * limits_.clock_s));
+  const double clock_s = works_until_told(one.arguments) ? kShortPatience_s : limits_.clock_s;
+  const auto patience = std::chrono::milliseconds(static_cast<long>(1e3 * clock_s));
   ForkClient* const copies = may_have_workers(one.arguments) ? nullptr : copies_.get();
   run.outcome = fuzz::run(one.arguments, {program_, scene_.folder(), scene_.temporary(), patience,
                                           pipes_in(one, scene_), copies});
