@@ -10,14 +10,16 @@
 namespace torquewright::fuzz {
 namespace {
 
-constexpr std::array<std::string_view, 15> kOutputOptions{
+constexpr std::array<std::string_view, 16> kOutputOptions{
     "--all",    "-o",           "--output",        "--draw",
     "--plot",   "--plot-loads", "--plot-momentum", "--refined",
     "--export", "--write-best", "--figures",       "--report",
-    "--series", "--plot-sweep", "--sweep-journal"};
+    "--series", "--plot-sweep", "--sweep-journal", "--curve"};
 
 /// Of what is done point by point, beside its output (docs/sweeps.md).
 constexpr std::string_view kJournal = ".journal";
+/// What a training goes on from, beside its policy.
+constexpr std::string_view kState = ".training";
 
 constexpr std::size_t kLongestName = 200;
 
@@ -40,9 +42,10 @@ std::string attached_output(const std::string& word) {
   return "";
 }
 
-std::set<std::string> with_journals(std::set<std::string> outputs) {
+/// And files of these names with an ending behind.
+std::set<std::string> with_those_beside(std::set<std::string> outputs, std::string_view ending) {
   const std::set<std::string> plain = outputs;
-  for (const std::string& output : plain) outputs.insert(output + std::string(kJournal));
+  for (const std::string& output : plain) outputs.insert(output + std::string(ending));
   return outputs;
 }
 
@@ -98,7 +101,9 @@ std::set<std::string> outputs_of(const Words& arguments) {
     if (is_option(word) && !follows_at_once) follows = names_output(word);
     follows_at_once = !follows_at_once && names_output(word);
   }
-  return has_points ? with_journals(outputs) : outputs;
+  const bool trains = arguments.size() > 1 && arguments[1] == "train";
+  if (trains) outputs = with_those_beside(std::move(outputs), kState);
+  return has_points ? with_those_beside(std::move(outputs), kJournal) : outputs;
 }
 
 std::set<std::string> inputs_of(const Words& arguments, const Scene& scene) {
