@@ -26,17 +26,24 @@ TEST(BadLogs, TheGoodOneHasNothingToSay) {
 
 // Row 2000 stands in line 2002: the header, and lines are counted from 1.
 TEST(BadLogs, CellsWithoutANumberAreRefused) {
-  for (const auto& [cell, said] :
-       {std::pair{"nan", "\"nan\" is not a finite number"},
-        std::pair{"inf", "\"inf\" is not a finite number"},
-        std::pair{"-Infinity", "\"-Infinity\" is not a finite number"},
-        std::pair{"1e999", "line 2002, column 5 (tau_Nm)"},
-        std::pair{"", "empty, must be a number"}, std::pair{"off", "\"off\" is not a number"}}) {
+  for (const auto& [cell, said] : {std::pair{"nan", "\"nan\" is not a finite number"},
+                                   std::pair{"inf", "\"inf\" is not a finite number"},
+                                   std::pair{"-Infinity", "\"-Infinity\" is not a finite number"},
+                                   std::pair{"1e999", "line 2002, column 5 (tau_Nm)"},
+                                   std::pair{"off", "\"off\" is not a number"}}) {
     SpoiltLog log = good();
     log.at(2000, "tau_Nm") = cell;
     expect_refused(log, said);
     expect_refused(log, "log.csv: line 2002, column 5 (tau_Nm)");
   }
+}
+
+TEST(BadLogs, CellsLeftEmptyLieOnALine) {
+  SpoiltLog log = good();
+  log.at(2000, "tau_Nm") = "";
+  const Answer answer = identify(log);
+  expect_truth(answer);
+  expect_finding(answer, "note", "output_torque_Nm: 1 empty cell: a straight line between numbers");
 }
 
 TEST(BadLogs, RowsThatRepeatTimeAreKept) {
