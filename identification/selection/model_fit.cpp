@@ -11,7 +11,7 @@ namespace {
 
 /// Steps of a fit; more are made only while each takes a share of what is left, as along the bent
 /// valley of two parameters that nearly stand for one another.
-constexpr int kFewSteps = 12, kMostSteps = 40, kMostStepsOfFold = 8;
+constexpr int kFewSteps = 12, kMostSteps = 40;
 constexpr double kWorthAStep = 1e-3;
 constexpr double kSlopeStep = 1e-5;     ///< Of a parameter's size.
 constexpr double kStraight = 1e-4;      ///< Of the loss: the slopes of before still hold.
@@ -20,9 +20,6 @@ constexpr double kUndetermined = 1e-7;  ///< Relative power of a combination tha
 constexpr double kFirstRaise = 3.0;     ///< Of the damping, after a step that led nowhere.
 constexpr double kMostFall = 0.1;       ///< Of the damping, after a step that kept its promise.
 constexpr double kSameNoise = 0.05;     ///< What a model may make more of the channels' noise.
-/// A fold that one step of the others' values makes worse by more than this share is left out by a
-/// fit of its own: values that are known only together go far by a step, and not by a fit.
-constexpr double kFarByStep = 0.1;
 
 /// Free are those that are inside their bounds or pulled inwards.
 std::vector<bool> free_ones(const std::vector<FitParameter>& parameters, const Eigen::VectorXd& at,
@@ -114,11 +111,6 @@ struct ModelFitter::Point {
   Eigen::VectorXd descent;    ///< Of the training blocks, less noise.
   double loss = 0.0;
   double noise_loss = 0.0;
-  std::size_t left_out = kHeldOut;  ///< A fold that counts as held out; kHeldOut: none does.
-
-  bool counts(const Rows::Block& block) const {
-    return !block.is_held_out() && block.fold != left_out;
-  }
 };
 
 /// What is uncertain is stated all the same: one more observation of each such value, known to its
@@ -204,10 +196,9 @@ Eigen::MatrixXd ModelFitter::slopes(const EffectSet& members, const Eigen::Vecto
   return slopes;
 }
 
-ModelFitter::Point ModelFitter::point(const EffectSet& members, const Eigen::VectorXd& coordinates,
-                                      std::size_t left_out) const {
+ModelFitter::Point ModelFitter::point(const EffectSet& members,
+                                      const Eigen::VectorXd& coordinates) const {
   Point point;
-  point.left_out = left_out;
   point.coordinates = coordinates;
   point.residual = residual(members, coordinates);
   point.noise = residual(members, coordinates, replica_) - point.residual;
@@ -215,7 +206,7 @@ ModelFitter::Point ModelFitter::point(const EffectSet& members, const Eigen::Vec
     BlockSums sums;
     sums.noise = point.noise.segment(block.begin, block.count).squaredNorm();
     sums.loss = point.residual.segment(block.begin, block.count).squaredNorm() - sums.noise;
-    if (point.counts(block)) {
+    if (!block.is_held_out()) {
       point.loss += sums.loss;
       point.noise_loss += sums.noise;
     }
@@ -244,7 +235,7 @@ void ModelFitter::add_products(Point& point) const {
     sums.slopes = power - noise.transpose() * noise;
     sums.descent = slopes.transpose() * point.residual.segment(block.begin, block.count) -
                    noise.transpose() * point.noise.segment(block.begin, block.count);
-    if (!point.counts(block)) continue;
+    if (block.is_held_out()) continue;
     point.power += power;
     point.net_power += sums.slopes;
     point.descent += sums.descent;
@@ -263,19 +254,18 @@ ModelFitter::Stated ModelFitter::stated(Eigen::Index count) const {
 
 /// Steps of Levenberg and Marquardt from a point that has its slopes.
 ModelFitter::Point ModelFitter::descended(const EffectSet& members,
-                                          const std::vector<FitParameter>& all, Point here,
-                                          int most_steps) const {
+                                          const std::vector<FitParameter>& all, Point here) const {
   const auto always = static_cast<Eigen::Index>(equation_.always.size());
   const auto rows = static_cast<double>(rows_.count());
   const Stated stated = this->stated(here.coordinates.size());
   double damping = 1e-6, raise = kFirstRaise;
-  for (int step = 0; step < most_steps && here.coordinates.size() > 0; ++step) {
+  for (int step = 0; step < kMostSteps && here.coordinates.size() > 0; ++step) {
     const Eigen::MatrixXd held = stated.power(here, rows);
     const Eigen::VectorXd descent = here.descent + stated.descent(here, rows);
     const std::vector<bool> free =
         determined(here.power + held, free_ones(all, here.coordinates, descent), always);
     const Eigen::VectorXd move = solved_for(here.power + held, -descent, free, damping);
-    Point there = point(members, clipped(all, here.coordinates + move), here.left_out);
+    Point there = point(members, clipped(all, here.coordinates + move));
     const double weight = Stated::weight(here, rows);
     const double fall =
         here.loss - there.loss + stated.loss(here, weight) - stated.loss(there, weight);
@@ -311,21 +301,6 @@ ModelFitter::Point ModelFitter::descended(const EffectSet& members,
   return here;
 }
 
-ModelFitter::Point ModelFitter::without_fold(const EffectSet& members,
-                                             const std::vector<FitParameter>& all,
-                                             const Point& whole, std::size_t fold) const {
-  Point part = whole;
-  part.left_out = fold;
-  part.loss = part.noise_loss = 0.0;
-  for (std::size_t b = 0; b < part.sums.size(); ++b) {
-    if (!part.counts(rows_.blocks()[b])) continue;
-    part.loss += part.sums[b].loss;
-    part.noise_loss += part.sums[b].noise;
-  }
-  add_products(part);
-  return descended(members, all, std::move(part), kMostStepsOfFold);
-}
-
 ModelFit ModelFitter::fit(const EffectSet& members, const Eigen::VectorXd& start) const {
   const std::vector<FitParameter> all = parameters(members);
   Point first = point(members, clipped(all, start));
@@ -333,22 +308,10 @@ ModelFit ModelFitter::fit(const EffectSet& members, const Eigen::VectorXd& start
   ModelFit fit;
   fit.members = members;
   fit.always = static_cast<Eigen::Index>(equation_.always.size());
-  finish(all, descended(members, all, std::move(first), kMostSteps), fit);
+  finish(all, descended(members, all, std::move(first)), fit);
   if (fit.is_valid && equation_.is_possible)
     fit.is_valid = equation_.is_possible(hypothesis(members, fit.coordinates));
   return fit;
-}
-
-bool ModelFitter::goes_far(const Point& point, std::size_t fold,
-                           const Eigen::VectorXd& move) const {
-  double before = 0.0, worse = 0.0;
-  for (std::size_t b = 0; b < point.sums.size(); ++b) {
-    if (rows_.blocks()[b].fold != fold) continue;
-    const BlockSums& sums = point.sums[b];
-    before += sums.loss + sums.noise;
-    worse += 2.0 * sums.descent.dot(move) + move.dot(sums.slopes * move);
-  }
-  return worse > kFarByStep * before;
 }
 
 void ModelFitter::finish(const std::vector<FitParameter>& all, const Point& point,
@@ -383,18 +346,12 @@ void ModelFitter::finish(const std::vector<FitParameter>& all, const Point& poin
     scatter += fit.sums[b].descent * fit.sums[b].descent.transpose();
   }
   std::vector<Eigen::VectorXd> moves(folds, Eigen::VectorXd::Zero(p));
-  std::vector<std::vector<BlockSums>> refitted(folds);
   Eigen::MatrixXd between = Eigen::MatrixXd::Zero(p, p);
   for (std::size_t f = 0; f < folds && p > 0; ++f) {
     moves[f] =
         clipped(all, point.coordinates + solved_for(total - power[f], -(all_descent - descent[f]),
                                                     fit.is_free, 0.0)) -
         point.coordinates;
-    if (fit.is_valid && goes_far(point, f, moves[f])) {
-      Point own = without_fold(fit.members, all, point, f);
-      moves[f] = own.coordinates - point.coordinates;
-      refitted[f] = std::move(own.sums);
-    }
     between += moves[f] * moves[f].transpose();
   }
   const Eigen::MatrixXd bread = inverse(total, fit.is_free);
@@ -412,11 +369,7 @@ void ModelFitter::finish(const std::vector<FitParameter>& all, const Point& poin
     const BlockSums& sums = fit.sums[b];
     const std::size_t fold = rows_.blocks()[b].fold;
     double loss = sums.loss;
-    if (fold != kHeldOut && !refitted[fold].empty()) {
-      // The noise is that of the whole's fit, by which losses are compared.
-      loss = refitted[fold][b].loss + refitted[fold][b].noise - sums.noise;
-      fit.unseen_loss += loss;
-    } else if (fold != kHeldOut && p > 0) {
+    if (fold != kHeldOut && p > 0) {
       loss += 2.0 * sums.descent.dot(moves[fold]) + moves[fold].dot(sums.slopes * moves[fold]);
       loss = std::max(loss, -sums.noise);  // No residual is less than nothing.
       fit.unseen_loss += loss;

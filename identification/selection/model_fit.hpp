@@ -77,15 +77,8 @@ class ModelFitter {
   struct Point;
   struct Stated;
   Stated stated(Eigen::Index count) const;
-  Point descended(const EffectSet& members, const std::vector<FitParameter>& all, Point here,
-                  int most_steps) const;
-  Point point(const EffectSet& members, const Eigen::VectorXd& coordinates,
-              std::size_t left_out = kHeldOut) const;
-  /// Fits from the whole's values on all training rows but those of a fold.
-  Point without_fold(const EffectSet& members, const std::vector<FitParameter>& all,
-                     const Point& whole, std::size_t fold) const;
-  /// Whether a fold's rows are much worse by values that one step without it leads to.
-  bool goes_far(const Point& point, std::size_t fold, const Eigen::VectorXd& move) const;
+  Point descended(const EffectSet& members, const std::vector<FitParameter>& all, Point here) const;
+  Point point(const EffectSet& members, const Eigen::VectorXd& coordinates) const;
   void add_slopes(const EffectSet& members, Point& point) const;
   void add_products(Point& point) const;
   void finish(const std::vector<FitParameter>& parameters, const Point& point, ModelFit& fit) const;

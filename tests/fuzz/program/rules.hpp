@@ -24,7 +24,7 @@ struct Limits {
 /// Whether a command works for as long as it is told to, which a changed word may make long: then
 /// it is ended after kShortPatience_s, and that it had not ended is no breach.
 bool works_until_told(const std::vector<std::string>& arguments);
-inline constexpr double kShortPatience_s = 10.0;
+inline constexpr double kShortPatience_s = 3.0;
 
 /// A case and all that came of it; paths are those of the program's folder.
 struct Run {
