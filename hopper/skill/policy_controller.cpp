@@ -33,7 +33,8 @@ class PolicyController final : public Controller {
   void control(const Observation& seen, VectorXd& torque_Nm) override {
     const long every = std::max(1L, std::lround(skill_.control_period_s / seen.hold_s));
     if (looks_ % every == 0) {
-      acting_.see(static_cast<double>(looks_ / every) * skill_.control_period_s, seen);
+      const long periods = looks_ / every;
+      acting_.see(static_cast<double>(periods) * skill_.control_period_s, seen);
       acting_.write(inputs_);
       acting_.act(evaluation_.action(inputs_));
     }
