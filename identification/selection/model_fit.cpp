@@ -17,7 +17,7 @@ constexpr double kSlopeStep = 1e-5;     ///< Of a parameter's size.
 constexpr double kStraight = 1e-4;      ///< Of the loss: the slopes of before still hold.
 constexpr double kConverged = 1e-7;     ///< Relative fall of the loss.
 constexpr double kUndetermined = 1e-7;  ///< Relative power of a combination that nothing moves.
-constexpr double kFirstRaise = 3.0;     ///< Of the damping, after a step that led nowhere.
+constexpr double kRaise = 10.0;         ///< Of the damping, after a step that led nowhere.
 constexpr double kMostFall = 0.1;       ///< Of the damping, after a step that kept its promise.
 constexpr double kSameNoise = 0.05;     ///< What a model may make more of the channels' noise.
 
@@ -258,7 +258,7 @@ ModelFitter::Point ModelFitter::descended(const EffectSet& members,
   const auto always = static_cast<Eigen::Index>(equation_.always.size());
   const auto rows = static_cast<double>(rows_.count());
   const Stated stated = this->stated(here.coordinates.size());
-  double damping = 1e-6, raise = kFirstRaise;
+  double damping = 1e-6;
   for (int step = 0; step < kMostSteps && here.coordinates.size() > 0; ++step) {
     const Eigen::MatrixXd held = stated.power(here, rows);
     const Eigen::VectorXd descent = here.descent + stated.descent(here, rows);
@@ -275,8 +275,7 @@ ModelFitter::Point ModelFitter::descended(const EffectSet& members,
                                                         (1.0 + kSameNoise) * here.noise_loss);
     if (is_noisier || !(fall > 0.0)) {
       if (damping > 1e3 || move.norm() == 0.0 || -move.dot(descent) < matters) break;
-      damping *= raise;
-      raise *= kFirstRaise;
+      damping *= kRaise;
       continue;
     }
     const Eigen::VectorXd moved = there.coordinates - here.coordinates;
@@ -294,7 +293,6 @@ ModelFitter::Point ModelFitter::descended(const EffectSet& members,
     const double kept = promised > 0.0 ? fall / promised : 1.0;
     const double less = 1.0 - std::pow(2.0 * std::min(kept, 1.0) - 1.0, 3);
     damping = std::max(1e-9, damping * std::clamp(less, kMostFall, 2.0));
-    raise = kFirstRaise;
     const double left = std::abs(here.loss) + here.noise_loss;
     if (fall < matters || (step >= kFewSteps && fall < kWorthAStep * left)) break;
   }
