@@ -29,9 +29,7 @@ class PolicyReader {
       read.policy.estimator = layers(root()["estimator"]["layers"], "/estimator/layers");
     }
     read.gains = gains();
-    for (const json& keys : root().value("trained_with", json::array())) {
-      read.trained_with.push_back({keys["path"], keys["sha256"]});
-    }
+    read_trained_with(read);
     if (root().contains("training_task")) read.training_task = root()["training_task"].dump();
     read.file = document_.file;
     read.sha256 = document_.sha256;
@@ -45,6 +43,17 @@ class PolicyReader {
 
   void object(const std::string& sentence, const std::string& path) {
     if (!sentence.empty()) faults_.push_back({document_.file, document_.path + path, sentence});
+  }
+
+  void read_trained_with(PolicyDocument& read) {
+    for (const json& keys : root().value("trained_with", json::array())) {
+      const std::string sha256 = keys["sha256"];
+      if (sha256.size() != 64 || sha256.find_first_not_of("0123456789abcdef") != sha256.npos) {
+        object("must be 64 hexadecimal digits in lower case",
+               "/trained_with/" + std::to_string(read.trained_with.size()) + "/sha256");
+      }
+      read.trained_with.push_back({keys["path"], sha256});
+    }
   }
 
   std::vector<PolicyInput> inputs() const {

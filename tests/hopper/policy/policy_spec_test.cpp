@@ -95,6 +95,16 @@ TEST(PolicySpec, RefusesWhatDoesNotFitTogether) {
             "/gains/damping_Nm_s_rad: \"knee\" has no damping, which the others have");
   EXPECT_FALSE(faults_of([](json& keys) { keys["normalisation"]["deviation"][0] = 0; }).empty());
   EXPECT_FALSE(faults_of([](json& keys) { keys["activation"] = "swish"; }).empty());
+  const auto with_hash = [](const std::string& sha256) {
+    return faults_of([&](json& keys) {
+      keys["trained_with"] = json::array({{{"path", "knee.json"}, {"sha256", sha256}}});
+    });
+  };
+  EXPECT_TRUE(with_hash(std::string(64, 'a')).empty());
+  for (const std::string& sha256 : {std::string(63, 'a'), std::string(64, 'A'), std::string("x")}) {
+    EXPECT_EQ(with_hash(sha256).at(0),
+              "/trained_with/0/sha256: must be 64 hexadecimal digits in lower case");
+  }
 }
 
 TEST(PolicyNames, EndInUnits) {
