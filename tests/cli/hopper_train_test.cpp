@@ -53,6 +53,15 @@ class HopperTrain : public testing::Test {
 };
 
 // With targets about the posture that it stands in, small actions leave it standing.
+TEST_F(HopperTrain, NamesTheTaskThatMayBeMeant) {
+  const Outcome outcome =
+      place_.run({"hopper", "train", in_repository("specs/robot/hopper.json").string(), "--task",
+                  "flop", "-o", "flop.json"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, "flop: no file, and no task of that name; did you mean flip?\n");
+  EXPECT_FALSE(place_.has("flop.json"));
+}
+
 TEST_F(HopperTrain, WritesAPolicyThatAReplayJudges) {
   const Outcome trained = train("stand.json", {"--iterations", "2", "--curve", "curve.csv"});
   EXPECT_EQ(trained.exit_code, 0) << trained.out << trained.err;

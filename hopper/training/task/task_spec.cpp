@@ -3,12 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "hopper/training/rewards/library.hpp"
 #include "hopper/training/task/embedded_tasks.hpp"
+#include "io/faults/spec_error.hpp"
 #include "io/text/nearest.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -167,10 +170,25 @@ std::vector<std::string> training_task_names() {
   return names;
 }
 
+namespace {
+
+[[noreturn]] void refuse_unknown(const std::string& name_or_file) {
+  std::vector<std::string> names;
+  for (const EmbeddedTask& task : embedded_tasks()) names.emplace_back(task.name);
+  const auto near = io::nearest(name_or_file, names);
+  throw io::SpecError({{name_or_file, "",
+                        fmt::format("no file, and no task of that name; {}",
+                                    near ? fmt::format("did you mean {}?", *near)
+                                         : "there are " + io::listed(names))}});
+}
+
+}  // namespace
+
 Task read_task(const std::string& name_or_file) {
   for (const EmbeddedTask& task : embedded_tasks()) {
     if (task.name == name_or_file) return task_of(std::string(task.text), name_or_file);
   }
+  if (!std::filesystem::exists(name_or_file)) refuse_unknown(name_or_file);
   return TaskReader(io::read_document(name_or_file, "training_task")).read();
 }
 
