@@ -14,11 +14,11 @@
 #include "identification/findings/with_effects.hpp"
 #include "identification/forward/plain_forward.hpp"
 #include "identification/forward/torque_forward.hpp"
+#include "identification/preparation/output_motion.hpp"
 #include "identification/replay/position_study.hpp"
 #include "identification/replay/standstill.hpp"
 #include "identification/selection/answer.hpp"
 #include "identification/selection/folds.hpp"
-#include "identification/signals/output_motion.hpp"
 
 namespace torquewright::identification {
 namespace {

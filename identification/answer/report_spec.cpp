@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "identification/answer/joints_json.hpp"
+#include "identification/answer/parameters_json.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -32,15 +33,6 @@ ordered_json list_of(const std::vector<double>& values) {
   return list;
 }
 
-/// Numbers that are not finite have no place in JSON, at any depth.
-ordered_json finite(const ordered_json& value) {
-  if (value.is_number_float()) return number(value.get<double>());
-  if (!value.is_structured()) return value;
-  ordered_json copy = value;
-  for (auto& each : copy) each = finite(each);
-  return copy;
-}
-
 /// An entry of a list that holds those of all equations: whose it is comes first.
 ordered_json entry_of(const EquationResult& equation) {
   ordered_json entry = ordered_json::object();
@@ -52,8 +44,8 @@ ordered_json entry_of(const EquationResult& equation) {
 ordered_json effect_json(const EquationResult& equation, const NamedEffect& effect) {
   ordered_json entry{{"effect", effect.effect}, {"family", name_of(effect.family)}};
   entry.update(entry_of(equation));
-  entry["parameters"] = finite(effect.parameters);
-  entry["standard_error"] = finite(effect.standard_error);
+  entry["parameters"] = parameters_json(effect.parameters);
+  entry["standard_error"] = standard_errors_json(effect.parameters);
   entry["unit"] = equation.unit;
   entry["holdout_rms_before"] = measured(effect.holdout_rms_before);
   entry["holdout_rms_after"] = measured(effect.holdout_rms_after);
@@ -95,8 +87,8 @@ ordered_json models_json(const EquationResult& equation) {
     ordered_json entry{{"effects", ordered_json::array()}};
     for (const NamedEffect& each : model.effects) {
       entry["effects"].push_back({{"effect", each.effect},
-                                  {"parameters", finite(each.parameters)},
-                                  {"standard_error", finite(each.standard_error)}});
+                                  {"parameters", parameters_json(each.parameters)},
+                                  {"standard_error", standard_errors_json(each.parameters)}});
     }
     entry.update(errors_json(equation, model.errors));
     if (!model.decided_by.empty()) entry["decided_by"] = model.decided_by;

@@ -5,7 +5,7 @@
 
 #include "identification/findings/doubts.hpp"
 #include "identification/findings/written.hpp"
-#include "identification/signals/uncertain.hpp"
+#include "identification/preparation/uncertain.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "actuator/region/torque_at.hpp"
 #include "actuator/region/winding.hpp"
-#include "identification/signals/preparation.hpp"
+#include "identification/preparation/preparation.hpp"
 #include "identification/simulated/rig_plant.hpp"
 
 namespace torquewright::identification {

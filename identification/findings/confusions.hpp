@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "identification/signals/preparation.hpp"
+#include "identification/preparation/preparation.hpp"
 
 namespace torquewright::identification {
 

@@ -13,7 +13,6 @@ namespace torquewright::identification {
 namespace {
 
 using actuator::StandsFor;
-using Parameters = decltype(NamedEffect::parameters);
 
 constexpr double kErrorsOfScale = 3.0;
 constexpr double kAsPromised = 1.05;   ///< The rig's own uncertain values are as stated.
@@ -23,14 +22,12 @@ constexpr double kMost = 0.5;    ///< Of the squares that are left.
 constexpr double kNoise = 1.58;  ///< Floors, up to which a simulation's error is noise.
 
 /// Whether a number in it is a torque, or an inertia: what scales with the torque constant.
-bool holds_a_torque(const Parameters& parameters) {
-  if (!parameters.is_structured()) return false;
-  for (const auto& [key, value] : parameters.items()) {
-    const bool is_torque =
-        key.find("_Nm") != std::string::npos || key.find("_kg_m2") != std::string::npos;
-    if (is_torque || holds_a_torque(value)) return true;
-  }
-  return false;
+bool holds_a_torque(const FoundParameters& parameters) {
+  const std::vector<const FoundNumber*> numbers = parameters.every_number();
+  return std::any_of(numbers.begin(), numbers.end(), [](const FoundNumber* each) {
+    return each->name.find("_Nm") != std::string::npos ||
+           each->name.find("_kg_m2") != std::string::npos;
+  });
 }
 
 bool is_torque_scale(const std::string& effect) {
@@ -43,16 +40,10 @@ bool is_constant_in_doubt(const EquationResult& result) {
   });
 }
 
-/// An effect's parameter and its standard error.
-struct Estimate {
-  double value = 0.0;
-  double error = 0.0;
-};
-Estimate estimate_of(const NamedEffect& effect, const char* parameter) {
-  const auto& errors = effect.standard_error;
-  const bool has_error = errors.contains(parameter) && errors[parameter].is_number();
-  return {effect.parameters.value(parameter, 0.0),
-          has_error ? errors[parameter].get<double>() : 0.0};
+/// The standard error of a number; zero where the log does not determine it.
+double error_of(const NamedEffect& effect, const char* parameter) {
+  const double error = effect.parameters.standard_error(parameter);
+  return std::isnan(error) ? 0.0 : error;
 }
 
 bool is_law_of_speed(const NamedEffect& named) {
@@ -168,8 +159,8 @@ void doubt_what_harms_another(const EquationResult& harmed, const Errors& came_o
 void doubt_what_goes_with_scale(const EquationResult& velocity, EquationResult& torque) {
   for (const NamedEffect& each : velocity.added) {
     if (each.effect != "velocity_mismatch") continue;
-    const auto [scale, error] = estimate_of(each, "scale");
-    if (std::abs(scale - 1.0) <= kErrorsOfScale * error) continue;
+    const double scale = each.parameters.value("scale", 0.0);
+    if (std::abs(scale - 1.0) <= kErrorsOfScale * error_of(each, "scale")) continue;
     for (NamedEffect& inertia : torque.added) {
       const bool is_inertia = actuator::stands_for(inertia.effect, StandsFor::kLoadInertia);
       if (!is_inertia || !inertia.doubt.empty()) continue;
@@ -199,23 +190,25 @@ void doubt_what_one_factor_explains(double inertia_kg_m2, double before_gears_kg
   NamedEffect* constant = sure_one(StandsFor::kTorqueScale, torque);
   NamedEffect* inertia = sure_one(StandsFor::kLoadInertia, torque);
   if (constant == nullptr || inertia == nullptr) return;
-  const Estimate factor = estimate_of(*constant, "factor");
-  const Estimate more_kg_m2 = estimate_of(*inertia, "inertia_kg_m2");
+  const double factor = constant->parameters.value("factor", 0.0);
+  const double factor_error = error_of(*constant, "factor");
+  const double more_kg_m2 = inertia->parameters.value("inertia_kg_m2", 0.0);
+  const double more_error_kg_m2 = error_of(*inertia, "inertia_kg_m2");
   const auto agrees = [&](double expected_kg_m2, double slope_kg_m2) {
-    const double error_kg_m2 = std::hypot(more_kg_m2.error, slope_kg_m2 * factor.error);
-    return std::abs(more_kg_m2.value - expected_kg_m2) <= kErrorsOfScale * error_kg_m2;
+    const double error_kg_m2 = std::hypot(more_error_kg_m2, slope_kg_m2 * factor_error);
+    return std::abs(more_kg_m2 - expected_kg_m2) <= kErrorsOfScale * error_kg_m2;
   };
   std::string other;
-  if (agrees((factor.value - 1.0) * inertia_kg_m2, inertia_kg_m2)) {
+  if (agrees((factor - 1.0) * inertia_kg_m2, inertia_kg_m2)) {
     other = "the torque sensor's gain would: calibrate it, or log the winding's voltage";
-  } else if (agrees((factor.value * factor.value - 1.0) * before_gears_kg_m2,
-                    2.0 * factor.value * before_gears_kg_m2)) {
+  } else if (agrees((factor * factor - 1.0) * before_gears_kg_m2,
+                    2.0 * factor * before_gears_kg_m2)) {
     other = "a gear ratio that is off by it would: count the teeth, or log the motor's position";
   } else {
     return;
   }
-  constant->doubt = fmt::format("one factor, {:.4g}, explains it and the inertia together, as {}",
-                                factor.value, other);
+  constant->doubt =
+      fmt::format("one factor, {:.4g}, explains it and the inertia together, as {}", factor, other);
   inertia->doubt = fmt::format("it goes with {} by one factor", constant->effect);
   constant->is_refuted = inertia->is_refuted = true;
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "identification/findings/found_parameters.hpp"
 #include "identification/findings/residual_structure.hpp"
 #include "identification/findings/spectral_lines.hpp"
 #include "identification/log/log.hpp"
@@ -43,8 +43,7 @@ std::string_view name_of(EffectFamily family);
 struct NamedEffect {
   std::string effect;
   EffectFamily family = EffectFamily::kActuator;
-  nlohmann::ordered_json parameters;
-  nlohmann::ordered_json standard_error;  ///< Standard errors, by the keys of `parameters`.
+  FoundParameters parameters;
   /// Held-out error of the model with the effects before this one.
   double holdout_rms_before = 0.0;
   double holdout_rms_after = 0.0;

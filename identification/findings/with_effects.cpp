@@ -10,16 +10,13 @@ actuator::Effect effect_of(const NamedEffect& named) {
   actuator::Effect effect = actuator::neutral(*actuator::find_effect(named.effect));
   effect.provenance = "identified";
   for (std::size_t p = 0; p < effect.values.size(); ++p) {
-    const std::string name(effect.kind->parameters[p].name);
-    if (named.parameters.contains(name)) effect.values[p] = named.parameters[name];
+    effect.values[p] = named.parameters.value(effect.kind->parameters[p].name, effect.values[p]);
   }
   if (!effect.kind->has_harmonics) return effect;
   effect.harmonics.clear();
-  effect.proportional = named.parameters.value("proportional", false);
-  const char* amplitude = effect.proportional ? "amplitude_ratio" : "amplitude_Nm";
-  for (const auto& each : named.parameters["harmonics"]) {
-    effect.harmonics.push_back(
-        {each.value("order", 1.0), each.value(amplitude, 0.0), each.value("phase_rad", 0.0)});
+  effect.proportional = named.parameters.proportional.value_or(false);
+  for (const FoundWave& wave : named.parameters.waves) {
+    effect.harmonics.push_back({wave.order, wave.amplitude.value, wave.phase_rad.value});
   }
   return effect;
 }

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "identification/signals/balance.hpp"
+#include "identification/preparation/balance.hpp"
 
 namespace torquewright::identification {
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <functional>
-#include <nlohmann/json_fwd.hpp>
 #include <span>
 #include <string>
 #include <vector>
@@ -42,8 +41,8 @@ struct EffectCandidate {
   std::vector<std::string> tends_to;  ///< Names of simpler effects that it resembles in some logs.
   double order = 0.0;                 ///< Order of a wave; 0 if it is none.
   std::function<void(std::span<const double>, Hypothesis&)> apply;
-  /// Converts coordinates to the effect's parameters as documents name them.
-  std::function<nlohmann::ordered_json(std::span<const double>)> report;
+  /// Converts coordinates to the effect's parameters as documents name them, without errors.
+  std::function<FoundParameters(std::span<const double>)> report;
 };
 
 }  // namespace torquewright::identification

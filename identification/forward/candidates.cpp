@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "actuator/effects/library.hpp"
 #include "optimization/fit/quantile.hpp"
@@ -18,7 +17,6 @@ using actuator::Effect;
 using actuator::EffectKind;
 using actuator::Instant;
 using actuator::Ranges;
-using Json = nlohmann::ordered_json;
 
 constexpr double kScaleReachUp = 100.0;  ///< Of a scale, from its starts.
 constexpr double kScaleReachDown = 30.0;
@@ -113,6 +111,15 @@ Effect effect_at(const EffectKind& kind, const std::vector<FitParameter>& parame
     effect.values.push_back(base + parameters[p].value(coordinates[p]));
   }
   return effect;
+}
+
+/// The wave of a sine and a cosine.
+FoundWave found_wave(double order, const char* amplitude, std::span<const double> u) {
+  FoundWave wave;
+  wave.order = order;
+  wave.amplitude = {amplitude, std::hypot(u[0], u[1])};
+  wave.phase_rad.value = std::atan2(u[1], u[0]);
+  return wave;
 }
 
 }  // namespace
@@ -212,9 +219,11 @@ EffectCandidate actuator_candidate(const EffectKind& kind, const actuator::Actua
   candidate.report = [&kind,
                       parameters = candidate.parameters](std::span<const double> coordinates) {
     const Effect effect = effect_at(kind, parameters, coordinates);
-    Json json = Json::object();
-    for (std::size_t p = 0; p < parameters.size(); ++p) json[parameters[p].name] = effect.values[p];
-    return json;
+    FoundParameters found;
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+      found.numbers.push_back({parameters[p].name, effect.values[p]});
+    }
+    return found;
   };
   return candidate;
 }
@@ -252,15 +261,11 @@ EffectCandidate wave_candidate(const EffectKind& kind, double order, bool propor
   candidate.apply = [&kind, proportional, wave](std::span<const double> u, Hypothesis& hypothesis) {
     hypothesis.actuator.effects.push_back({&kind, {}, {wave(u)}, proportional, "identified"});
   };
-  candidate.report = [&kind, proportional, wave](std::span<const double> u) {
-    const actuator::Harmonic found = wave(u);
-    Json json;
-    json["harmonics"] =
-        Json::array({{{"order", found.order},
-                      {proportional ? "amplitude_ratio" : "amplitude_Nm", found.amplitude},
-                      {"phase_rad", found.phase_rad}}});
-    if (kind.may_be_proportional) json["proportional"] = proportional;
-    return json;
+  candidate.report = [&kind, order, proportional](std::span<const double> u) {
+    FoundParameters found;
+    found.waves = {found_wave(order, proportional ? "amplitude_ratio" : "amplitude_Nm", u)};
+    if (kind.may_be_proportional) found.proportional = proportional;
+    return found;
   };
   return candidate;
 }
@@ -280,7 +285,10 @@ EffectCandidate imbalance_candidate(const actuator::Ranges& ranges) {
     hypothesis.imbalance_cosine_Nm = u[1];
   };
   candidate.report = [](std::span<const double> u) {
-    return Json{{"amplitude_Nm", std::hypot(u[0], u[1])}, {"phase_rad", std::atan2(u[1], u[0])}};
+    FoundParameters found;
+    found.numbers = {{"amplitude_Nm", std::hypot(u[0], u[1])},
+                     {"phase_rad", std::atan2(u[1], u[0])}};
+    return found;
   };
   return candidate;
 }
@@ -296,7 +304,10 @@ EffectCandidate delay_candidate(Quantity channel) {
     hypothesis.log.delay_s[static_cast<std::size_t>(channel)] = u[0];
   };
   candidate.report = [channel](std::span<const double> u) {
-    return Json{{"channel", name_of(channel)}, {"delay_s", u[0]}};
+    FoundParameters found;
+    found.channel = name_of(channel);
+    found.numbers = {{"delay_s", u[0]}};
+    return found;
   };
   return candidate;
 }
@@ -311,7 +322,11 @@ EffectCandidate offset_candidate(const actuator::Ranges& ranges) {
   candidate.apply = [](std::span<const double> u, Hypothesis& hypothesis) {
     hypothesis.log.torque_offset_Nm = u[0];
   };
-  candidate.report = [](std::span<const double> u) { return Json{{"value", u[0]}}; };
+  candidate.report = [](std::span<const double> u) {
+    FoundParameters found;
+    found.numbers = {{"value", u[0]}};
+    return found;
+  };
   return candidate;
 }
 
@@ -331,9 +346,10 @@ EffectCandidate current_gain_candidate() {
     hypothesis.log.negative_current_gain = u[1];
   };
   candidate.report = [](std::span<const double> u) {
-    return Json{{"channel", name_of(Quantity::kMotorCurrent)},
-                {"gain_positive", u[0]},
-                {"gain_negative", u[1]}};
+    FoundParameters found;
+    found.channel = name_of(Quantity::kMotorCurrent);
+    found.numbers = {{"gain_positive", u[0]}, {"gain_negative", u[1]}};
+    return found;
   };
   return candidate;
 }
@@ -353,11 +369,10 @@ EffectCandidate encoder_candidate(std::size_t order, double scale_rad) {
     hypothesis.log.encoder_cosine_rad[order - 1] = u[1];
   };
   candidate.report = [order](std::span<const double> u) {
-    Json json{{"channel", name_of(Quantity::kOutputPosition)}};
-    json["harmonics"] = Json::array({{{"order", order},
-                                      {"amplitude_rad", std::hypot(u[0], u[1])},
-                                      {"phase_rad", std::atan2(u[1], u[0])}}});
-    return json;
+    FoundParameters found;
+    found.channel = name_of(Quantity::kOutputPosition);
+    found.waves = {found_wave(static_cast<double>(order), "amplitude_rad", u)};
+    return found;
   };
   return candidate;
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 #include <numbers>
 
 #include "actuator/effects/acting.hpp"
@@ -23,7 +22,6 @@ namespace {
 using actuator::Acts;
 using actuator::EffectKind;
 using actuator::Instant;
-using Json = nlohmann::ordered_json;
 
 constexpr double kMostMismatch = 10.0;  ///< Of a velocity's scale, to either side of one.
 constexpr double kWholeTurn_rad = 2.0 * std::numbers::pi;
@@ -232,7 +230,9 @@ EffectCandidate velocity_mismatch() {
     hypothesis.log.velocity_delay_s = u[1];
   };
   candidate.report = [](std::span<const double> u) {
-    return Json{{"scale", u[0]}, {"delay_s", u[1]}};
+    FoundParameters found;
+    found.numbers = {{"scale", u[0]}, {"delay_s", u[1]}};
+    return found;
   };
   return candidate;
 }

@@ -12,8 +12,8 @@
 #include "identification/forward/sample_step.hpp"
 #include "identification/forward/torque_prediction.hpp"
 #include "identification/forward/wave_orders.hpp"
-#include "identification/signals/balance.hpp"
-#include "identification/signals/uncertain.hpp"
+#include "identification/preparation/balance.hpp"
+#include "identification/preparation/uncertain.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -11,7 +11,7 @@
 #include "identification/forward/backlash_residual.hpp"
 #include "identification/forward/drive_side.hpp"
 #include "identification/forward/histories.hpp"
-#include "identification/signals/balance.hpp"
+#include "identification/preparation/balance.hpp"
 #include "identification/signals/load_model.hpp"
 #include "identification/signals/signal.hpp"
 

@@ -8,8 +8,8 @@
 #include "actuator/heat/temperature_laws.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "actuator/region/winding.hpp"
+#include "identification/preparation/winding_channels.hpp"
 #include "identification/signals/signal.hpp"
-#include "identification/signals/winding_channels.hpp"
 
 namespace torquewright::identification {
 namespace {

@@ -70,7 +70,7 @@ StandstillScale scale_of(const Bench& bench, const std::vector<Signals>& signals
   return scale;
 }
 
-bool repeats(const NamedEffect& effect) { return effect.parameters.contains("harmonics"); }
+bool repeats(const NamedEffect& effect) { return !effect.parameters.waves.empty(); }
 
 bool breaks_away(const std::string& effect) {
   return actuator::at_rest_of(effect) == AtRest::kBreakaway;

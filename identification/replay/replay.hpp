@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "identification/signals/preparation.hpp"
+#include "identification/preparation/preparation.hpp"
 #include "simulation/plant.hpp"
 
 namespace torquewright::identification {

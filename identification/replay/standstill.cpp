@@ -88,9 +88,8 @@ NamedEffect named(const StandstillTrial& trial, const std::vector<double>& param
   effect.family = EffectFamily::kActuator;
   const actuator::EffectKind& kind = *actuator::find_effect(effect.effect);
   for (std::size_t p = 0; p < parameters.size(); ++p) {
-    const std::string name(kind.parameters[p].name);
-    effect.parameters[name] = parameters[p];
-    effect.standard_error[name] = errors[static_cast<Eigen::Index>(p)];
+    effect.parameters.numbers.push_back({std::string(kind.parameters[p].name), parameters[p],
+                                         errors[static_cast<Eigen::Index>(p)]});
   }
   return effect;
 }

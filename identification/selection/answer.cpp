@@ -187,7 +187,7 @@ std::vector<std::string> same_on_such_a_rig(const Bench& bench, const ForwardEqu
   if (is_in_phase_with_load(bench, named))
     return {named.effect, "load_mass_error", "load_length_error"};
   std::vector<std::string> exact = exact_identities(bench, named.effect);
-  if (found.turned_one_way && named.parameters.contains("harmonics"))
+  if (found.turned_one_way && !named.parameters.waves.empty())
     exact.emplace_back(actuator::first_wave(actuator::Acts::kDrag).name);
   return exact;
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "identification/forward/equation.hpp"
+#include "identification/preparation/held_signals.hpp"
 #include "identification/selection/analysis_options.hpp"
-#include "identification/signals/held_signals.hpp"
 #include "identification/signals/rows.hpp"
 
 namespace torquewright::identification {

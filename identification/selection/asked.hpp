@@ -3,8 +3,8 @@
 
 #include <memory>
 
+#include "identification/preparation/held_signals.hpp"
 #include "identification/selection/search.hpp"
-#include "identification/signals/held_signals.hpp"
 
 namespace torquewright::identification {
 

@@ -5,7 +5,7 @@
 
 #include "identification/findings/spectral_lines.hpp"
 #include "identification/forward/equation.hpp"
-#include "identification/signals/held_signals.hpp"
+#include "identification/preparation/held_signals.hpp"
 
 namespace torquewright::identification {
 

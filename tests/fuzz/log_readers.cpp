@@ -7,6 +7,8 @@
 
 #include "actuator/motor/actuator_spec.hpp"
 #include "identification/log/log.hpp"
+#include "identification/reading/against_actuator.hpp"
+#include "identification/reading/read_log.hpp"
 #include "io/documents/document.hpp"
 #include "tests/fuzz/readers.hpp"
 

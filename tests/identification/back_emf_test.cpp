@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "identification/forward/torque_prediction.hpp"
-#include "identification/signals/preparation.hpp"
+#include "identification/preparation/preparation.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification::back_emf_test {

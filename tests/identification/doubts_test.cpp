@@ -15,7 +15,7 @@ namespace {
 NamedEffect named(const char* effect, const char* parameter, double before, double after) {
   NamedEffect made;
   made.effect = effect;
-  made.parameters[parameter] = 0.1;
+  made.parameters.numbers = {{parameter, 0.1}};
   made.holdout_rms_before = before;
   made.holdout_rms_after = after;
   return made;
@@ -151,8 +151,7 @@ TEST(Doubts, FallOnAnInertiaBesideAVelocityOfAnotherScale) {
   for (const double scale : {1.0004, 1.02}) {
     EquationResult velocity;
     velocity.added = {named("velocity_mismatch", "scale", 0.4, 0.1)};
-    velocity.added[0].parameters["scale"] = scale;
-    velocity.added[0].standard_error["scale"] = 0.0002;
+    velocity.added[0].parameters.numbers = {{"scale", scale, 0.0002}};
     EquationResult torque = with_two(0.3, 0.1);
     torque.added.push_back(named("reflected_inertia", "inertia_kg_m2", 0.1, 0.05));
     doubt_what_goes_with_scale(velocity, torque);
@@ -177,10 +176,8 @@ EquationResult with_constant_and_inertia(double factor, double inertia_kg_m2) {
   result.unit = "Nm";
   result.added = {named("torque_constant_error", "factor", 0.4, 0.2),
                   named("reflected_inertia", "inertia_kg_m2", 0.2, 0.1)};
-  result.added[0].parameters["factor"] = factor;
-  result.added[0].standard_error["factor"] = 0.001;
-  result.added[1].parameters["inertia_kg_m2"] = inertia_kg_m2;
-  result.added[1].standard_error["inertia_kg_m2"] = 0.002;
+  result.added[0].parameters.numbers = {{"factor", factor, 0.001}};
+  result.added[1].parameters.numbers = {{"inertia_kg_m2", inertia_kg_m2, 0.002}};
   doubt_what_one_factor_explains(0.5, 0.4, result);
   return result;
 }

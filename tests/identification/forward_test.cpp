@@ -15,10 +15,10 @@
 #include "identification/forward/torque_forward.hpp"
 #include "identification/forward/torque_prediction.hpp"
 #include "identification/forward/winding_current.hpp"
+#include "identification/preparation/held_signals.hpp"
 #include "identification/selection/comparison.hpp"
 #include "identification/selection/folds.hpp"
 #include "identification/selection/search.hpp"
-#include "identification/signals/held_signals.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification::forward_test {
@@ -139,7 +139,7 @@ TEST(ForwardBalance, HoldsWavesAsTheirFilterLeavesThem) {
   EXPECT_EQ(predicted_Nm(0.51 / bench.signals.step_s), 0.0);
 }
 
-using Named = std::map<std::string, nlohmann::ordered_json>;
+using Named = std::map<std::string, FoundParameters>;
 
 /// What a search finds in an equation of a log: effects, with their parameters as reported.
 Named found_in(const Log& log, const MadeBench& rig,
@@ -172,8 +172,8 @@ TEST(ForwardSearch, FindsCoulombAndViscousFrictionAndNothingElse) {
   auto found = found_in(
       [](const Made& at) { return -0.4 * made::sign(at.speed_rad_s) - 0.08 * at.speed_rad_s; });
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_NEAR(found["coulomb_friction"]["coulomb_Nm"], 0.4, 0.004);
-  EXPECT_NEAR(found["viscous_friction"]["viscous_Nm_s_rad"], 0.08, 0.0008);
+  EXPECT_NEAR(found["coulomb_friction"].value("coulomb_Nm", NAN), 0.4, 0.004);
+  EXPECT_NEAR(found["viscous_friction"].value("viscous_Nm_s_rad", NAN), 0.08, 0.0008);
 }
 
 /// Drag of eddy currents with its peak at `critical_rad_s`; the made motion reaches 6 rad/s.
@@ -187,15 +187,15 @@ std::function<double(const Made&)> eddy_currents(double peak_Nm, double critical
 TEST(ForwardSearch, FindsEddyCurrentDragThatPassesItsPeak) {
   auto found = found_in(eddy_currents(0.6, 2.0));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found["eddy_current_drag"]["peak_Nm"], 0.6, 0.006);
-  EXPECT_NEAR(found["eddy_current_drag"]["critical_rad_s"], 2.0, 0.02);
+  EXPECT_NEAR(found["eddy_current_drag"].value("peak_Nm", NAN), 0.6, 0.006);
+  EXPECT_NEAR(found["eddy_current_drag"].value("critical_rad_s", NAN), 2.0, 0.02);
 }
 
 // At a fiftieth of the critical speed it is viscous friction but for 0.04 %.
 TEST(ForwardSearch, CallsSlowEddyCurrentDragViscous) {
   auto found = found_in(eddy_currents(15.0, 300.0));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found["viscous_friction"]["viscous_Nm_s_rad"], 0.1, 0.001);
+  EXPECT_NEAR(found["viscous_friction"].value("viscous_Nm_s_rad", NAN), 0.1, 0.001);
 }
 
 // What the document states of viscous friction stays beside it.
@@ -206,14 +206,14 @@ TEST(ForwardSearch, FindsEddyCurrentDragBesideStatedViscousFriction) {
       [drag = eddy_currents(0.6, 2.0)](const Made& at) { return drag(at) - 0.1 * at.speed_rad_s; },
       rig);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found["eddy_current_drag"]["peak_Nm"], 0.6, 0.006);
+  EXPECT_NEAR(found["eddy_current_drag"].value("peak_Nm", NAN), 0.6, 0.006);
 }
 
 TEST(ForwardSearch, FindsAParallelSpring) {
   auto found = found_in([](const Made& at) { return -0.2 * (at.angle_rad - 0.5); });
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found["parallel_spring"]["stiffness_Nm_rad"], 0.2, 0.002);
-  EXPECT_NEAR(found["parallel_spring"]["neutral_angle_rad"], 0.5, 0.02);
+  EXPECT_NEAR(found["parallel_spring"].value("stiffness_Nm_rad", NAN), 0.2, 0.002);
+  EXPECT_NEAR(found["parallel_spring"].value("neutral_angle_rad", NAN), 0.5, 0.02);
 }
 
 TEST(ForwardSearch, FindsTheStopsAtBothEnds) {
@@ -221,10 +221,10 @@ TEST(ForwardSearch, FindsTheStopsAtBothEnds) {
     return -3.0 * std::max(0.0, at.angle_rad - 3.4) + 2.0 * std::max(0.0, -3.0 - at.angle_rad);
   });
   ASSERT_EQ(found.size(), 2u);
-  EXPECT_NEAR(found["upper_end_stop"]["stiffness_Nm_rad"], 3.0, 0.03);
-  EXPECT_NEAR(found["upper_end_stop"]["angle_rad"], 3.4, 0.01);
-  EXPECT_NEAR(found["lower_end_stop"]["stiffness_Nm_rad"], 2.0, 0.02);
-  EXPECT_NEAR(found["lower_end_stop"]["angle_rad"], -3.0, 0.01);
+  EXPECT_NEAR(found["upper_end_stop"].value("stiffness_Nm_rad", NAN), 3.0, 0.03);
+  EXPECT_NEAR(found["upper_end_stop"].value("angle_rad", NAN), 3.4, 0.01);
+  EXPECT_NEAR(found["lower_end_stop"].value("stiffness_Nm_rad", NAN), 2.0, 0.02);
+  EXPECT_NEAR(found["lower_end_stop"].value("angle_rad", NAN), -3.0, 0.01);
 }
 
 TEST(ForwardSearch, NamesNothingWhereNothingIsMissing) {
@@ -241,7 +241,7 @@ TEST(ForwardSearch, CallsLessThanHalfASampleNoDelay) {
   const auto& [name, parameters] = *found.begin();
   ASSERT_TRUE(name == "channel_delay" || name == "torque_lag") << name;
   const char* late_s = name == "torque_lag" ? "time_constant_s" : "delay_s";
-  EXPECT_NEAR(parameters[late_s].get<double>(), 0.005, 0.0003);
+  EXPECT_NEAR(parameters.value(late_s, NAN), 0.005, 0.0003);
 }
 
 /// The velocity beside the position, late by so much; told by the last equation of a channel.
@@ -270,8 +270,8 @@ TEST(ForwardSearch, CallsASpeedReadWithinItsStepNoMismatch) {
   EXPECT_TRUE(found_in_velocity(0.002).empty());
   auto found = found_in_velocity(0.01);
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found["velocity_mismatch"]["delay_s"], 0.01, 0.0005);
-  EXPECT_NEAR(found["velocity_mismatch"]["scale"], 1.0, 0.002);
+  EXPECT_NEAR(found["velocity_mismatch"].value("delay_s", NAN), 0.01, 0.0005);
+  EXPECT_NEAR(found["velocity_mismatch"].value("scale", NAN), 1.0, 0.002);
 }
 
 // A sensor that shows 3 % too much of positive currents, 3 % too little of negative ones.
@@ -281,15 +281,15 @@ TEST(ForwardSearch, FindsACurrentsGainThatDiffersBySign) {
     return at.torque_Nm / (1.0 + 0.03 * made::sign(at.current_A)) - at.torque_Nm;
   });
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found["current_gain_error"]["gain_positive"], 1.03, 0.001);
-  EXPECT_NEAR(found["current_gain_error"]["gain_negative"], 0.97, 0.001);
+  EXPECT_NEAR(found["current_gain_error"].value("gain_positive", NAN), 1.03, 0.001);
+  EXPECT_NEAR(found["current_gain_error"].value("gain_negative", NAN), 0.97, 0.001);
 }
 
 // What both signs have in common is the torque constant.
 TEST(ForwardSearch, CallsAGainOfBothSignsTheTorqueConstant) {
   auto found = found_in([](const Made& at) { return 0.05 * at.torque_Nm; });
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_NEAR(found["torque_constant_error"]["factor"], 1.05, 0.001);
+  EXPECT_NEAR(found["torque_constant_error"].value("factor", NAN), 1.05, 0.001);
 }
 
 // Oracle: the normal distribution's table, and Student's of 30 degrees of freedom (3.646 at 5e-4).

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: the same log, prepared as a whole.
-#include "identification/signals/held_signals.hpp"
+#include "identification/preparation/held_signals.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "identification/answer/analysis.hpp"
+#include "identification/answer/parameters_json.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification::named_values_test {
@@ -32,8 +33,8 @@ void expect_value(const EquationResult& result, const std::string& effect, const
                   double truth) {
   const NamedEffect* found = find(result, effect);
   ASSERT_NE(found, nullptr) << effect;
-  const double error = found->standard_error.value(name, NAN);
-  EXPECT_NEAR(found->parameters.at(name).get<double>(), truth, kErrors * error + kModel * truth)
+  const double error = found->parameters.standard_error(name);
+  EXPECT_NEAR(found->parameters.value(name, NAN), truth, kErrors * error + kModel * truth)
       << effect << " " << name;
 }
 
@@ -60,11 +61,12 @@ double friction(const Made& at) { return -0.4 * made::sign(at.speed_rad_s) - 0.2
 void expect_delay(const EquationResult& result, const char* channel, double delay_s) {
   const NamedEffect* found = find(result, "channel_delay");
   std::string named;
-  for (const NamedEffect& each : result.added) named += each.effect + each.parameters.dump() + " ";
+  for (const NamedEffect& each : result.added)
+    named += each.effect + parameters_json(each.parameters).dump() + " ";
   named += std::to_string(result.has_tentative);
   ASSERT_NE(found, nullptr) << named;
-  EXPECT_EQ(found->parameters.at("channel"), channel);
-  EXPECT_NEAR(found->parameters.at("delay_s").get<double>(), delay_s, 3e-4);
+  EXPECT_EQ(found->parameters.channel, channel);
+  EXPECT_NEAR(found->parameters.value("delay_s", NAN), delay_s, 3e-4);
 }
 
 TEST(LateChannel, IsTheSensorBesideFriction) {

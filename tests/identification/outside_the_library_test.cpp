@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "identification/answer/analysis.hpp"
+#include "identification/answer/parameters_json.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification::outside_the_library_test {
@@ -31,7 +32,7 @@ TEST(OutsideTheLibrary, FrictionOfOneSpotIsNoWaveOfFriction) {
   const EquationResult result = torque_of(made.log(
       [](const Made& at) { return -sign(at.speed_rad_s) * (0.2 + 0.8 * bump(at.angle_rad)); }));
   for (const NamedEffect& each : result.added) {
-    EXPECT_NE(each.effect, "position_dependent_friction") << each.parameters;
+    EXPECT_NE(each.effect, "position_dependent_friction") << parameters_json(each.parameters);
   }
 }
 
@@ -65,7 +66,8 @@ TEST(OutsideTheLibrary, AStiffeningSpringIsNoStopsOrWavesForSure) {
       made::MadeBench().log([](const Made& at) { return -0.05 * std::pow(at.angle_rad, 3); }));
   EXPECT_NE(result.verdict, Verdict::kExplained);
   for (const NamedEffect& each : result.added) {
-    EXPECT_FALSE(is_certain(result, each.effect)) << each.effect << " " << each.parameters;
+    EXPECT_FALSE(is_certain(result, each.effect))
+        << each.effect << " " << parameters_json(each.parameters);
   }
 }
 

@@ -10,8 +10,8 @@
 #include <random>
 
 #include "identification/answer/analysis.hpp"
-#include "identification/signals/channel_grid.hpp"
-#include "identification/signals/output_motion.hpp"
+#include "identification/preparation/channel_grid.hpp"
+#include "identification/preparation/output_motion.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -113,7 +113,7 @@ void expect_both_frictions(const EquationResult& found) {
     const char* key = is_coulomb ? "coulomb_Nm" : "viscous_Nm_s_rad";
     const double truth = is_coulomb ? kCoulomb_Nm : kViscous_Nm_s_rad;
     EXPECT_NEAR(each.parameters.value(key, 0.0), truth,
-                kErrors * each.standard_error.value(key, 0.0));
+                kErrors * each.parameters.standard_error(key));
     EXPECT_EQ(each.doubt, "");
   }
 }
@@ -230,7 +230,7 @@ TEST(Recorders, WithoutACurrentShowTheSagByTheDuty) {
     ASSERT_EQ(each.added.size(), 1u);
     EXPECT_EQ(each.added[0].effect, "voltage_sag");
     EXPECT_NEAR(each.added[0].parameters.value("resistance_ohm", 0.0), 0.2,
-                kErrors * each.added[0].standard_error.value("resistance_ohm", 0.0));
+                kErrors * each.added[0].parameters.standard_error("resistance_ohm"));
   }
   EXPECT_TRUE(is_found);
 }

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include "identification/answer/refined_json.hpp"
 #include "io/faults/json_text.hpp"
 #include "tests/io/scratch_folder.hpp"
 

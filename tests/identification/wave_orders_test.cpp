@@ -8,8 +8,8 @@
 
 #include "identification/forward/candidates.hpp"
 #include "identification/forward/torque_forward.hpp"
+#include "identification/preparation/preparation.hpp"
 #include "identification/selection/folds.hpp"
-#include "identification/signals/preparation.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification::wave_orders_test {

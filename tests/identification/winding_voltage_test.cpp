@@ -12,7 +12,7 @@
 #include "identification/answer/analysis.hpp"
 #include "identification/forward/plain_forward.hpp"
 #include "identification/forward/winding_current.hpp"
-#include "identification/signals/preparation.hpp"
+#include "identification/preparation/preparation.hpp"
 #include "tests/identification/made_bench.hpp"
 
 namespace torquewright::identification::winding_voltage_test {
@@ -112,8 +112,8 @@ TEST(WindingVoltage, NamesADeadTimeThatIsNotDeclared) {
   const EquationResult result = WindingBench(2e-3, false).of_voltage();
   ASSERT_EQ(result.added.size(), 1u);
   EXPECT_EQ(result.added[0].effect, "inverter_dead_time");
-  EXPECT_NEAR(result.added[0].parameters["voltage_V"].get<double>(), kDead_V,
-              3.0 * result.added[0].standard_error["voltage_V"].get<double>());
+  EXPECT_NEAR(result.added[0].parameters.value("voltage_V", NAN), kDead_V,
+              3.0 * result.added[0].parameters.standard_error("voltage_V"));
 }
 
 /// L/R of 2 ms, of which half a step of the log is 2.5.

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <random>
 
+#include "identification/answer/refined_json.hpp"
 #include "identification/answer/self_check.hpp"
 #include "io/faults/json_text.hpp"
 #include "tests/io/scratch_folder.hpp"

@@ -3,28 +3,12 @@
 // by the checker of proofs, whose input is documents. Oracle: the files.
 #include <gtest/gtest.h>
 
-#include "tests/gates/excuses.hpp"
 #include "tests/gates/source_tree.hpp"
 
 namespace torquewright::layers {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::string_view kWritesADocument = "writes a document beside what it computes";
-constexpr std::string_view kNamedEffect = "a named effect holds parameters as documents state them";
-
-/// They may only become fewer: a file that no longer needs its line fails the test.
-const std::vector<gates::Excuse> kExcused = {
-    {"identification/answer/identify.cpp", kWritesADocument},
-    {"identification/answer/identify.hpp", kWritesADocument},
-    {"identification/forward/candidate.hpp", kNamedEffect},
-    {"identification/forward/candidates.cpp", kNamedEffect},
-    {"identification/forward/plain_forward.cpp", kNamedEffect},
-    {"identification/findings/result.hpp", kNamedEffect},
-    {"identification/selection/named.cpp", kNamedEffect},
-    {"src/report/identification/identification_words.cpp", kNamedEffect},
-};
 
 bool may_know_json(const fs::path& file) {
   const std::string name = file.generic_string();
@@ -50,9 +34,8 @@ TEST(Json, IsKnownOnlyToThoseThatReadAndWriteIt) {
       }
     }
   }
-  gates::expect_excused(broken, kExcused,
-                        "only io/, the checker of proofs and files called *_spec or *_json know "
-                        "nlohmann/json");
+  EXPECT_EQ(broken, gates::Names{}) << "only io/, the checker of proofs and files called *_spec or "
+                                       "*_json know nlohmann/json";
 }
 
 }  // namespace

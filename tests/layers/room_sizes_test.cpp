@@ -32,8 +32,6 @@ constexpr Exception kExceptions[] = {
     {"actuator/region", 22, 7, kToBeSplit},
     {"hopper/check", 36, 9, "its rules are parts of one kind; the rest is to be split"},
     {"hopper/replay", 13, 7, kToBeSplit},
-    {"identification/log", 29, 9, kToBeSplit},
-    {"identification/signals", 19, 7, kToBeSplit},
 };
 
 const Exception* exception_of(const std::string& room) {

@@ -10,6 +10,7 @@
 #include <filesystem>
 
 #include "identification/answer/identify.hpp"
+#include "identification/answer/refined_json.hpp"
 #include "io/documents/document.hpp"
 #include "io/files/atomic_file.hpp"
 #include "tests/real_data/bam_servos/servo.hpp"

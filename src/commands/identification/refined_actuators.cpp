@@ -7,6 +7,7 @@
 #include "actuator/region/mor_table.hpp"
 #include "actuator/region/operating_conditions.hpp"
 #include "actuator/region/region_comparison.hpp"
+#include "identification/answer/refined_json.hpp"
 #include "identification/answer/self_check.hpp"
 #include "io/faults/json_text.hpp"
 #include "io/text/one_line.hpp"

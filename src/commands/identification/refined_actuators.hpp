@@ -21,7 +21,7 @@ struct RefinedActuator {
 
 /// The refined actuators of all joints, in the rig's order; none where nothing is sure: an actuator
 /// with nothing added to it would only look refined. `judged`: see refined_actuator() in
-/// identify.hpp.
+/// refined_json.hpp.
 struct RefinedActuators {
   std::vector<RefinedActuator> of_joints;
   std::string refusal;  ///< What its own reader says against one of them; then there are none.

@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "identification/reading/read_log.hpp"
 #include "identification/robot/fitted_actuator_json.hpp"
 #include "io/faults/json_text.hpp"
 #include "io/text/wording.hpp"

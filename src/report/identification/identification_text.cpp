@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/answer/refined_json.hpp"
 #include "identification/answer/report_spec.hpp"
 #include "io/text/one_line.hpp"
 #include "src/report/identification/identification_verdict.hpp"

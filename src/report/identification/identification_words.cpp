@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "identification/answer/refined_json.hpp"
 #include "identification/answer/report_spec.hpp"
 #include "identification/findings/written.hpp"
 #include "src/report/parts/shell_word.hpp"
@@ -17,7 +17,6 @@ namespace torquewright::report {
 namespace {
 
 using namespace identification;
-using nlohmann::ordered_json;
 
 constexpr int kMostDecimals = 8;
 
@@ -48,26 +47,19 @@ std::string_view unit_of_parameter(std::string_view effect, std::string_view nam
   return effect == "load_mass_error" ? "kg" : "";
 }
 
-double number_or_nan(const ordered_json& value) {
-  return value.is_number() ? value.get<double>() : std::nan("");
-}
-
 std::string spaced(std::string_view unit) {
   return unit.empty() ? std::string() : " " + std::string(unit);
 }
 
+std::string number_text(const FoundNumber& number, std::string_view effect) {
+  return fmt::format("{} {}{}", number.name, with_error(number.value, number.standard_error),
+                     spaced(unit_of_parameter(effect, number.name)));
+}
+
 /// "order 7: amplitude_Nm 0.31 ± 0.01 Nm, phase_rad ..."
-std::string harmonic_text(const ordered_json& wave, const ordered_json& error) {
-  std::vector<std::string> parts;
-  for (const auto& [key, value] : wave.items()) {
-    if (key == "order") continue;
-    const double deviation =
-        error.is_object() && error.contains(key) ? number_or_nan(error[key]) : std::nan("");
-    parts.push_back(fmt::format("{} {}{}", key, with_error(number_or_nan(value), deviation),
-                                spaced(unit_of_parameter("", key))));
-  }
-  return fmt::format("order {:g}: {}", number_or_nan(wave.value("order", ordered_json())),
-                     fmt::join(parts, ", "));
+std::string wave_text(const FoundWave& wave) {
+  return fmt::format("order {:g}: {}, {}", wave.order, number_text(wave.amplitude, ""),
+                     number_text(wave.phase_rad, ""));
 }
 
 std::string compare_command(const IdentificationContext& context, std::size_t i,
@@ -102,25 +94,12 @@ std::string with_error(double value, double standard_error) {
 }
 
 std::vector<std::string> parameter_texts(const NamedEffect& effect) {
+  const FoundParameters& found = effect.parameters;
   std::vector<std::string> texts;
-  for (const auto& [key, value] : effect.parameters.items()) {
-    const ordered_json error =
-        effect.standard_error.contains(key) ? effect.standard_error[key] : ordered_json();
-    if (key == "harmonics" && value.is_array()) {
-      for (std::size_t i = 0; i < value.size(); ++i) {
-        texts.push_back(harmonic_text(
-            value[i], error.is_array() && i < error.size() ? error[i] : ordered_json()));
-      }
-    } else if (value.is_string()) {
-      texts.push_back(fmt::format("{} {}", key, value.get<std::string>()));
-    } else if (value.is_boolean()) {
-      if (value.get<bool>()) texts.push_back("in proportion to the load");
-    } else {
-      texts.push_back(fmt::format("{} {}{}", key,
-                                  with_error(number_or_nan(value), number_or_nan(error)),
-                                  spaced(unit_of_parameter(effect.effect, key))));
-    }
-  }
+  if (!found.channel.empty()) texts.push_back("channel " + found.channel);
+  for (const FoundNumber& each : found.numbers) texts.push_back(number_text(each, effect.effect));
+  for (const FoundWave& wave : found.waves) texts.push_back(wave_text(wave));
+  if (found.proportional.value_or(false)) texts.emplace_back("in proportion to the load");
   return texts;
 }
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "identification/log/log.hpp"
+#include "identification/reading/against_actuator.hpp"
 #include "tests/identification/log/made_log.hpp"
 #include "tests/identification/log/written_log.hpp"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/log/log_reader.hpp"
+#include "identification/reading/log_reader.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "identification/reading/read_log.hpp"
 #include "io/files/sha256.hpp"
 #include "tests/identification/log/written_log.hpp"
 

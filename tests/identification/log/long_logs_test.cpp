@@ -10,7 +10,8 @@
 #include <functional>
 #include <numbers>
 
-#include "identification/log/log_reader.hpp"
+#include "identification/reading/log_reader.hpp"
+#include "identification/reading/read_log.hpp"
 #include "tests/identification/log/written_log.hpp"
 
 namespace torquewright::identification::long_logs_test {

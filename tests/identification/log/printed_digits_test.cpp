@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/log/printed_digits.hpp"
+#include "identification/reading/printed_digits.hpp"
 
 #include <gtest/gtest.h>
 

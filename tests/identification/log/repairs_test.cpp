@@ -6,9 +6,9 @@
 #include <numbers>
 #include <random>
 
-#include "identification/log/isolated.hpp"
-#include "identification/log/saturation.hpp"
-#include "identification/log/wrap.hpp"
+#include "identification/reading/isolated.hpp"
+#include "identification/reading/saturation.hpp"
+#include "identification/reading/wrap.hpp"
 
 namespace torquewright::identification {
 namespace {

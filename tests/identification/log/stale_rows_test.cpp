@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Rows that a recorder wrote again while the joint moved on. Oracle: which rows were put in.
-#include "identification/log/stale_rows.hpp"
+#include "identification/reading/stale_rows.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>

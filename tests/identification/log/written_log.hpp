@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "identification/log/log.hpp"
+#include "identification/reading/read_log.hpp"
 #include "io/documents/document.hpp"
 #include "tests/actuator/check/refusal.hpp"
 #include "tests/io/scratch_folder.hpp"

@@ -14,7 +14,7 @@
 #include "identification/experiment/plan_trial.hpp"
 #include "identification/forward/candidates.hpp"
 #include "identification/forward/torque_prediction.hpp"
-#include "identification/signals/preparation.hpp"
+#include "identification/preparation/preparation.hpp"
 #include "identification/simulated/rig_plant.hpp"
 #include "io/faults/spec_error.hpp"
 #include "simulation/run/simulate.hpp"

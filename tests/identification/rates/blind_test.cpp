@@ -9,6 +9,7 @@
 
 #include "actuator/motor/actuator_spec.hpp"
 #include "identification/answer/analysis.hpp"
+#include "identification/reading/read_log.hpp"
 #include "tests/oracles/bench_log/scenario.hpp"
 
 namespace torquewright::rates {
@@ -66,11 +67,10 @@ BlindCount count_blind(const std::string& situation, const std::string& effect,
         }
         ++count.found;
         if (!is_certain(equation, effect)) continue;
-        const double off = std::abs(each.parameters[parameter].get<double>() - named.truth);
+        const double off = std::abs(each.parameters.value(parameter, NAN) - named.truth);
         const double share = off / std::abs(named.truth);
         count.worst = std::max(count.worst, share);
-        const auto error = each.standard_error.value(parameter, nlohmann::ordered_json());
-        if (error.is_number() && off <= 3.0 * error.get<double>()) continue;
+        if (off <= 3.0 * each.parameters.standard_error(parameter)) continue;
         count.worst_unsaid = std::max(count.worst_unsaid, share);
       }
     }

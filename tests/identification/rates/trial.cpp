@@ -9,6 +9,7 @@
 
 #include "actuator/motor/actuator_spec.hpp"
 #include "identification/answer/analysis.hpp"
+#include "identification/reading/read_log.hpp"
 
 namespace torquewright::rates {
 namespace {
@@ -49,10 +50,9 @@ void judge_parameters(const identification::NamedEffect& added, const Truth& tru
   for (const TrueEffect& effect : truth.effects) {
     if (effect.effect != added.effect) continue;
     for (const auto& [key, value] : effect.parameters) {
-      if (!added.parameters.contains(key) || !added.parameters[key].is_number()) continue;
-      if (!added.standard_error.contains(key) || !added.standard_error[key].is_number()) continue;
-      const double error = added.standard_error[key];
-      double off = added.parameters[key].get<double>() - value;
+      const double error = added.parameters.standard_error(key);
+      if (std::isnan(error)) continue;
+      double off = added.parameters.value(key, 0.0) - value;
       if (key == "phase_rad") off = std::remainder(off, 2.0 * std::numbers::pi);
       ++outcome.parameters;
       if (std::abs(off) <= 3.0 * error) {

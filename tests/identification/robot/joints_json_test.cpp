@@ -11,8 +11,6 @@ NamedEffect named(const std::string& effect, EffectFamily family) {
   NamedEffect one;
   one.effect = effect;
   one.family = family;
-  one.parameters = nlohmann::ordered_json::object();
-  one.standard_error = nlohmann::ordered_json::object();
   return one;
 }
 

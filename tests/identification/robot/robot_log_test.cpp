@@ -11,6 +11,8 @@
 #include <numbers>
 
 #include "identification/answer/identify.hpp"
+#include "identification/answer/parameters_json.hpp"
+#include "identification/reading/read_log.hpp"
 #include "identification/rig/joint_actuator_json.hpp"
 #include "identification/robot/robot_study.hpp"
 #include "identification/rollout/rollout.hpp"
@@ -127,8 +129,8 @@ std::string what_was_said(const Case& made) {
   std::string said;
   for (const EquationResult& equation : made.found.equations) {
     for (const NamedEffect& effect : equation.added) {
-      said += fmt::format("{} {}: {} {}\n", equation.joint, effect.effect, effect.parameters.dump(),
-                          effect.doubt);
+      said += fmt::format("{} {}: {} {}\n", equation.joint, effect.effect,
+                          parameters_json(effect.parameters).dump(), effect.doubt);
     }
     for (const Confounded& group : equation.confounded) {
       said += fmt::format("{} {}\n", equation.joint, fmt::join(group.effects, " or "));
@@ -158,8 +160,8 @@ TEST(RobotLog, FindsTheFrictionAtItsJoint) {
   for (const EquationResult& equation : made.found.equations) {
     for (const NamedEffect& effect : equation.added) {
       if (effect.effect != "coulomb_friction") continue;
-      const double found_Nm = effect.parameters["coulomb_Nm"];
-      const double error_Nm = effect.standard_error["coulomb_Nm"];
+      const double found_Nm = effect.parameters.value("coulomb_Nm", NAN);
+      const double error_Nm = effect.parameters.standard_error("coulomb_Nm");
       EXPECT_NEAR(found_Nm, 0.6, 3.0 * error_Nm + 0.005);
     }
   }

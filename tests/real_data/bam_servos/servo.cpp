@@ -7,6 +7,7 @@
 
 #include "actuator/effects/library.hpp"
 #include "actuator/motor/actuator_spec.hpp"
+#include "identification/reading/read_log.hpp"
 #include "io/documents/document.hpp"
 
 namespace torquewright::identification {
