@@ -3,7 +3,7 @@
  *
  * Two descriptions of a region: the parallelogram of a motor without losses, and a table for
  * anything else (friction, saturation, field weakening, battery; made by
- * actuator/region/clip_table.hpp). Torque in Nm, speed in rad/s, both of the same side of the
+ * actuator/mor/clip_table.hpp). Torque in Nm, speed in rad/s, both of the same side of the
  * gearbox. Every function is pure; the batched ones work through arrays of `count` samples, where
  * `clipped_Nm` may be `torque_Nm` itself. A speed or torque that is not a number yields one that is
  * not.

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "actuator/effects/library.hpp"
-#include "actuator/region/mor_table_spec.hpp"
+#include "actuator/mor/mor_table_spec.hpp"
 
 namespace {
 

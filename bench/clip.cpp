@@ -7,8 +7,8 @@
 #include <random>
 #include <vector>
 
+#include "actuator/mor/clip_table.hpp"
 #include "actuator/motor/actuator_spec.hpp"
-#include "actuator/region/clip_table.hpp"
 
 namespace torquewright::actuator {
 namespace {

@@ -8,10 +8,10 @@
 #include <benchmark/benchmark.h>
 
 #include "actuator/effects/library.hpp"
-#include "actuator/region/clip_table.hpp"
-#include "hopper/check/contact_search.hpp"
-#include "hopper/check/demand.hpp"
-#include "hopper/check/drive_reports.hpp"
+#include "actuator/mor/clip_table.hpp"
+#include "hopper/demand/contact_search.hpp"
+#include "hopper/demand/demand.hpp"
+#include "hopper/demand/drive_reports.hpp"
 #include "hopper/motion/motion_reader.hpp"
 #include "robot/model/robot_spec.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <pybind11/numpy.h>
 
-#include "actuator/region/clip_table.hpp"
+#include "actuator/mor/clip_table.hpp"
 
 namespace torquewright::python {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "actuator/region/need.hpp"
+#include "actuator/mor/need.hpp"
 
 namespace torquewright::actuator {
 

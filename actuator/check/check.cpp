@@ -10,14 +10,14 @@
 #include <system_error>
 #include <utility>
 
-#include "actuator/check/drive_rows.hpp"
 #include "actuator/check/findings.hpp"
-#include "actuator/check/heat_ends.hpp"
-#include "actuator/check/shared_battery.hpp"
 #include "actuator/check/time_gap.hpp"
 #include "actuator/check/travel_agreement.hpp"
 #include "actuator/check/velocity_agreement.hpp"
 #include "actuator/check/velocity_words.hpp"
+#include "actuator/drive_check/drive_rows.hpp"
+#include "actuator/drive_check/heat_ends.hpp"
+#include "actuator/drive_check/shared_battery.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/faults/spec_error.hpp"
 

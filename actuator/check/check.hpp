@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "actuator/check/drive_check.hpp"
+#include "actuator/drive_check/drive_check.hpp"
 #include "actuator/trajectory/columns.hpp"
 #include "actuator/trajectory/jacobian.hpp"
 #include "actuator/trajectory/trajectory_reader.hpp"

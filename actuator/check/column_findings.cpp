@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "actuator/check/drive_rows.hpp"
+#include "actuator/drive_check/drive_rows.hpp"
 #include "io/files/csv.hpp"
 #include "io/text/nearest.hpp"
 #include "io/text/units.hpp"

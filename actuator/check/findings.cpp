@@ -9,9 +9,9 @@
 #include <numbers>
 #include <set>
 
-#include "actuator/check/left_out_sizes.hpp"
-#include "actuator/check/region_words.hpp"
 #include "actuator/check/velocity_words.hpp"
+#include "actuator/drive_check/left_out_sizes.hpp"
+#include "actuator/drive_check/region_words.hpp"
 #include "io/text/time_text.hpp"
 #include "io/text/wording.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "actuator/check/report.hpp"
+#include "actuator/drive_check/report.hpp"
 
 namespace torquewright::actuator {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "actuator/check/report.hpp"
+#include "actuator/drive_check/report.hpp"
 
 namespace torquewright::actuator {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/region/mor_table.hpp"
+#include "actuator/mor/mor_table.hpp"
 
 namespace torquewright::actuator {
 namespace {

@@ -7,7 +7,7 @@
 #include "actuator/exporters/region_text.hpp"
 #include "actuator/exporters/table_law.hpp"
 #include "actuator/exporters/text.hpp"
-#include "actuator/region/clip_table.hpp"
+#include "actuator/mor/clip_table.hpp"
 #include "actuator/source_text/c_source.hpp"
 
 namespace torquewright::actuator::exporters {

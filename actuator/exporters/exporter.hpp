@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "actuator/friction/joint_friction.hpp"
+#include "actuator/mor/mor_table.hpp"
 #include "actuator/region/joint_region.hpp"
-#include "actuator/region/mor_table.hpp"
 
 namespace torquewright::actuator {
 

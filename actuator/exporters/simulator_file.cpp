@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "actuator/mor/mor_header.hpp"
 #include "actuator/region/left_out.hpp"
-#include "actuator/region/mor_header.hpp"
 
 namespace torquewright::actuator {
 namespace {

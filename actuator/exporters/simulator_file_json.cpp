@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "actuator/region/mor_header.hpp"
-#include "actuator/region/mor_table_spec.hpp"
+#include "actuator/mor/mor_header.hpp"
+#include "actuator/mor/mor_table_spec.hpp"
 
 namespace torquewright::actuator {
 namespace {

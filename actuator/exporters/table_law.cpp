@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/region/clip_table.hpp"
+#include "actuator/mor/clip_table.hpp"
 
 namespace torquewright::actuator {
 namespace {

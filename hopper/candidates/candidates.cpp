@@ -9,8 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "actuator/check/left_out_sizes.hpp"
-#include "actuator/check/region_words.hpp"
+#include "actuator/drive_check/left_out_sizes.hpp"
+#include "actuator/drive_check/region_words.hpp"
 #include "actuator/region/joint_region.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "hopper/check/left_out_rows.hpp"

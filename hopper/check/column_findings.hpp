@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "actuator/check/report.hpp"
+#include "actuator/drive_check/report.hpp"
 #include "hopper/motion/motion_reader.hpp"
 
 namespace torquewright::hopper {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/check/drive_reports.hpp"
+#include "hopper/demand/drive_reports.hpp"
 
 namespace torquewright::hopper {
 

@@ -10,12 +10,12 @@
 
 #include "actuator/check/findings.hpp"
 #include "actuator/check/time_gap.hpp"
-#include "hopper/check/contact_search.hpp"
 #include "hopper/check/late_columns.hpp"
 #include "hopper/check/left_out_rows.hpp"
 #include "hopper/check/physical.hpp"
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/check/time_gap.hpp"
+#include "hopper/demand/contact_search.hpp"
 #include "hopper/motion/rate_agreement.hpp"
 #include "hopper/motion/rounding_words.hpp"
 #include "io/faults/spec_error.hpp"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/check/base_residual.hpp"
-#include "hopper/check/contact_load.hpp"
-#include "hopper/check/flights.hpp"
 #include "hopper/check/torque_doubt.hpp"
 #include "hopper/check/transmission_load.hpp"
+#include "hopper/demand/base_residual.hpp"
+#include "hopper/demand/contact_load.hpp"
+#include "hopper/demand/flights.hpp"
 
 namespace torquewright::hopper {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "actuator/check/check_report_spec.hpp"
+#include "actuator/drive_check/check_report_spec.hpp"
 
 namespace torquewright::hopper {
 namespace {

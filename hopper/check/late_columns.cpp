@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "hopper/check/drive_reports.hpp"
+#include "hopper/demand/drive_reports.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "io/faults/refusal.hpp"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hopper/check/checked_motion.hpp"
+#include "hopper/demand/checked_motion.hpp"
 #include "hopper/motion/row_comparison.hpp"
 
 namespace torquewright::hopper {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/check/base_residual.hpp"
+#include "hopper/demand/base_residual.hpp"
 
 namespace torquewright::hopper {
 

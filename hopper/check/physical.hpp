@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/check/base_residual.hpp"
-#include "hopper/check/flights.hpp"
+#include "hopper/demand/base_residual.hpp"
+#include "hopper/demand/flights.hpp"
 
 namespace torquewright::hopper {
 

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 
-#include "actuator/check/demand.hpp"
-#include "actuator/check/interpretation_check.hpp"
+#include "actuator/drive_check/demand.hpp"
+#include "actuator/drive_check/interpretation_check.hpp"
 #include "actuator/region/torque_at.hpp"
 
 namespace torquewright::hopper {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hopper/check/acceleration_doubt.hpp"
-#include "hopper/check/drive_reports.hpp"
 #include "hopper/check/left_out_rows.hpp"
+#include "hopper/demand/acceleration_doubt.hpp"
+#include "hopper/demand/drive_reports.hpp"
 #include "hopper/motion/rounding_words.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "hopper/motion/smoothing.hpp"

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "actuator/check/report.hpp"
-#include "hopper/check/checked_motion.hpp"
+#include "actuator/drive_check/report.hpp"
+#include "hopper/demand/checked_motion.hpp"
 
 namespace torquewright::hopper {
 

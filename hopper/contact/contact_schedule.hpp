@@ -17,7 +17,8 @@ struct ContactThresholds {
 /// touches by a file may be so high where no height is stated.
 constexpr double kHighestTouch_m = 32e-3;
 
-/// What the user stated about contacts; the rest is searched for (hopper/check/contact_search.hpp).
+/// What the user stated about contacts; the rest is searched for
+/// (hopper/demand/contact_search.hpp).
 struct ContactRule {
   double ground_height_m = 0.0;
   std::optional<double> height_m;

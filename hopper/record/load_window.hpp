@@ -4,8 +4,8 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "hopper/check/contact_load.hpp"
 #include "hopper/check/transmission_load.hpp"
+#include "hopper/demand/contact_load.hpp"
 
 namespace torquewright::hopper {
 

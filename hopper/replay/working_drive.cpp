@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/check/demand.hpp"
+#include "actuator/drive_check/demand.hpp"
 #include "actuator/heat/temperature_laws.hpp"
 #include "actuator/region/current_choice.hpp"
 #include "actuator/region/gear_losses.hpp"

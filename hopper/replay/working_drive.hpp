@@ -7,7 +7,7 @@
 
 #include "actuator/conditions/held_region.hpp"
 #include "actuator/heat/heat_model.hpp"
-#include "actuator/region/clip_table.hpp"
+#include "actuator/mor/clip_table.hpp"
 #include "hopper/replay/powered_drive_options.hpp"
 #include "simulation/in_engine/joint_in_engine.hpp"
 

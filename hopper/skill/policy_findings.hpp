@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hopper/check/checked_motion.hpp"
+#include "hopper/demand/checked_motion.hpp"
 #include "hopper/policy/policy_document.hpp"
 
 namespace torquewright::hopper {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "hopper/check/flights.hpp"
+#include "hopper/demand/flights.hpp"
 #include "hopper/record/record.hpp"
 
 namespace torquewright::hopper {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hopper/check/checked_motion.hpp"
+#include "hopper/demand/checked_motion.hpp"
 #include "hopper/motion/bare_rows.hpp"
 #include "src/options/operating_options.hpp"
 #include "src/options/sweep_options.hpp"

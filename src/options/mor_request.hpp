@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "actuator/mor/mor_table.hpp"
+#include "actuator/mor/need.hpp"
 #include "actuator/region/joint_region.hpp"
-#include "actuator/region/mor_table.hpp"
-#include "actuator/region/need.hpp"
 #include "src/options/operating_options.hpp"
 
 namespace torquewright::cli {

@@ -4,7 +4,7 @@
 #include <string>
 #include <utility>
 
-#include "actuator/region/need.hpp"
+#include "actuator/mor/need.hpp"
 
 namespace torquewright::cli {
 

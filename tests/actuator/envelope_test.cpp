@@ -9,9 +9,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "actuator/mor/mor_table.hpp"
+#include "actuator/mor/need.hpp"
 #include "actuator/motor/actuator_spec.hpp"
-#include "actuator/region/mor_table.hpp"
-#include "actuator/region/need.hpp"
 
 namespace torquewright::actuator {
 namespace {

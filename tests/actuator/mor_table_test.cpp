@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/region/mor_table.hpp"
+#include "actuator/mor/mor_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/region/mor_table_spec.hpp"
+#include "actuator/mor/mor_table_spec.hpp"
 #include "tests/actuator/example_actuator.hpp"
 #include "tests/actuator/random_actuator.hpp"
 

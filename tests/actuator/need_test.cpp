@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/region/need.hpp"
+#include "actuator/mor/need.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <filesystem>
 
+#include "actuator/mor/mor_table.hpp"
 #include "actuator/motor/actuator_spec.hpp"
 #include "actuator/motor/convention.hpp"
-#include "actuator/region/mor_table.hpp"
 #include "tests/actuator/example_actuator.hpp"
 #include "tests/actuator/random_actuator.hpp"
 

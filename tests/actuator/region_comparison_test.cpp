@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracles: the order of losses (docs/notation.md) in closed form on an actuator of round numbers.
-#include "actuator/region/region_comparison.hpp"
+#include "actuator/mor/region_comparison.hpp"
 
 #include <gtest/gtest.h>
 

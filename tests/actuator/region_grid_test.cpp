@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "actuator/region/mor_table.hpp"
+#include "actuator/mor/mor_table.hpp"
 #include "tests/actuator/example_actuator.hpp"
 #include "tests/actuator/random_actuator.hpp"
 

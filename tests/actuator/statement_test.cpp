@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "actuator/check/check.hpp"
+#include "actuator/mor/mor_table.hpp"
 #include "actuator/motor/actuator_spec.hpp"
-#include "actuator/region/mor_table.hpp"
 #include "io/documents/document.hpp"
 #include "tests/io/scratch_folder.hpp"
 

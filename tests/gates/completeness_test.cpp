@@ -220,7 +220,7 @@ TEST(Docs, NameEveryRuleOfTheLint) {
 
 TEST(Docs, NameEveryRuleOfTheChecks) {
   EXPECT_EQ(named_in_first_column(text_of("docs/checks.md")),
-            rules_in({"actuator/check", "hopper/check"}));
+            rules_in({"actuator/check", "actuator/drive_check", "hopper/check", "hopper/demand"}));
 }
 
 /// Name, unit and sentence are the row.
@@ -248,7 +248,7 @@ struct NamingKey {
 
 /// Its own, and those of the checks that a replay uses.
 Names replay_rules() {
-  Names rules = rules_in({"hopper/replay", "hopper/skill"});
+  Names rules = rules_in({"hopper/replay", "hopper/replay_report", "hopper/skill"});
   rules.insert({"assumed", "transmission-load"});
   return rules;
 }
@@ -257,7 +257,8 @@ std::vector<NamingKey> naming_keys() {
   return {
       {"topology", "", topologies()},
       {"format", "simulator_file", exporters()},
-      {"rule", "check_report", rules_in({"actuator/check", "hopper/check"})},
+      {"rule", "check_report",
+       rules_in({"actuator/check", "actuator/drive_check", "hopper/check", "hopper/demand"})},
       {"rule", "replay_report", replay_rules()},
       {"rule", "lint_report", rules_in({"actuator/lint"})},
       {"effect", "", effects()},

@@ -23,15 +23,10 @@ struct Exception {
 };
 
 constexpr const char* kLikeParts = "parts of one kind, a file each, of which a reader opens one";
-constexpr const char* kToBeSplit = "not yet split: its parts lean on one another";
 constexpr Exception kExceptions[] = {
-    {"actuator/check", 24, 8, kToBeSplit},
     {"actuator/effects", 36, 6, kLikeParts},
     {"actuator/exporters", 37, 4, kLikeParts},
     {"actuator/lint", 29, 8, kLikeParts},
-    {"actuator/region", 22, 7, kToBeSplit},
-    {"hopper/check", 36, 9, "its rules are parts of one kind; the rest is to be split"},
-    {"hopper/replay", 13, 7, kToBeSplit},
 };
 
 const Exception* exception_of(const std::string& room) {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hopper/check/rules/every_rule.hpp"
-#include "hopper/check/running_integral.hpp"
+#include "hopper/demand/running_integral.hpp"
 #include "io/text/time_text.hpp"
 #include "optimization/fit/quantile.hpp"
 

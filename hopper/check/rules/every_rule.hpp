@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "hopper/check/checked_motion.hpp"
+#include "hopper/demand/checked_motion.hpp"
 
 namespace torquewright::hopper {
 

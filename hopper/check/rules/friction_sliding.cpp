@@ -8,10 +8,10 @@
 #include <numbers>
 #include <optional>
 
-#include "hopper/check/base_residual.hpp"
 #include "hopper/check/rules/every_rule.hpp"
-#include "hopper/check/running_integral.hpp"
 #include "hopper/contact/sliding.hpp"
+#include "hopper/demand/base_residual.hpp"
+#include "hopper/demand/running_integral.hpp"
 #include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {

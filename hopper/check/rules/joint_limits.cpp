@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "hopper/check/drive_reports.hpp"
 #include "hopper/check/rules/every_rule.hpp"
+#include "hopper/demand/drive_reports.hpp"
 #include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {

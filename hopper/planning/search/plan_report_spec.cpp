@@ -6,7 +6,7 @@
 
 #include "hopper/check/hopper_report_spec.hpp"
 #include "hopper/planning/search/longest_flight.hpp"
-#include "hopper/replay/replay_report.hpp"
+#include "hopper/replay_report/replay_report.hpp"
 
 namespace torquewright::hopper {
 namespace {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hopper/check/checked_motion.hpp"
+#include "hopper/demand/checked_motion.hpp"
 #include "hopper/planning/tasks/every_task.hpp"
 #include "hopper/replay/powered_drive_options.hpp"
 

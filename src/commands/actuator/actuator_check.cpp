@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "actuator/check/column_findings.hpp"
-#include "actuator/region/mor_table.hpp"
+#include "actuator/mor/mor_table.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/text/one_line.hpp"
 #include "src/commands/actuator/actuator_check_inputs.hpp"

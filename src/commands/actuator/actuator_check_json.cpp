@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "actuator/check/check_report_spec.hpp"
+#include "actuator/drive_check/check_report_spec.hpp"
 #include "src/commands/shared/result_json.hpp"
 #include "src/commands/shared/stated_json.hpp"
 

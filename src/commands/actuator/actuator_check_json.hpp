@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "actuator/check/report.hpp"
+#include "actuator/drive_check/report.hpp"
 #include "src/commands/actuator/actuator_check_inputs.hpp"
 
 namespace torquewright::cli {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "actuator/exporters/library.hpp"
+#include "actuator/mor/mor_table_spec.hpp"
+#include "actuator/mor/need.hpp"
 #include "actuator/motor/actuator_spec.hpp"
-#include "actuator/region/mor_table_spec.hpp"
-#include "actuator/region/need.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/files/atomic_file.hpp"
 #include "src/commands/actuator/actuator_commands.hpp"

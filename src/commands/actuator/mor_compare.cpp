@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "actuator/region/mor_table.hpp"
-#include "actuator/region/region_comparison.hpp"
+#include "actuator/mor/mor_table.hpp"
+#include "actuator/mor/region_comparison.hpp"
 #include "io/text/one_line.hpp"
 #include "src/commands/shared/result_json.hpp"
 #include "src/report/actuator/comparison_json.hpp"

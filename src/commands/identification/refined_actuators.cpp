@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <utility>
 
-#include "actuator/region/mor_table.hpp"
+#include "actuator/mor/mor_table.hpp"
+#include "actuator/mor/region_comparison.hpp"
 #include "actuator/region/operating_conditions.hpp"
-#include "actuator/region/region_comparison.hpp"
 #include "identification/answer/refined_json.hpp"
 #include "identification/answer/self_check.hpp"
 #include "io/faults/json_text.hpp"

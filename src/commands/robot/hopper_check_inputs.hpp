@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hopper/candidates/candidate_set.hpp"
-#include "hopper/check/checked_motion.hpp"
+#include "hopper/demand/checked_motion.hpp"
 #include "hopper/motion/motion_reader.hpp"
 #include "robot/model/robot_spec.hpp"
 #include "src/options/hopper_check_request.hpp"

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "hopper/replay/replay_report_spec.hpp"
+#include "hopper/replay_report/replay_report_spec.hpp"
 #include "src/commands/shared/fingerprint_json.hpp"
 #include "src/commands/shared/result_json.hpp"
 #include "src/commands/shared/stated_json.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "hopper/replay/replay_report_spec.hpp"
+#include "hopper/replay_report/replay_report_spec.hpp"
 #include "hopper/trials/causes.hpp"
 #include "src/interrupt.hpp"
 #include "src/report/parts/progress_line.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "hopper/replay/replay_report.hpp"
+#include "hopper/replay_report/replay_report.hpp"
 #include "hopper/trials/randomisation_spec.hpp"
 #include "src/options/hopper_replay_request.hpp"
 

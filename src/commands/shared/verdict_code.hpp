@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "actuator/check/report.hpp"
+#include "actuator/drive_check/report.hpp"
 #include "src/exit_code.hpp"
 
 namespace torquewright::cli {

@@ -4,7 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <vector>
 
-#include "actuator/region/need.hpp"
+#include "actuator/mor/need.hpp"
 
 namespace torquewright::report {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/check/region_words.hpp"
+#include "actuator/drive_check/region_words.hpp"
 #include "io/text/time_text.hpp"
 
 namespace torquewright::report {

@@ -4,8 +4,8 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "actuator/mor/region_comparison.hpp"
 #include "actuator/region/joint_region.hpp"
-#include "actuator/region/region_comparison.hpp"
 
 namespace torquewright::report {
 

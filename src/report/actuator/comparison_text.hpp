@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "actuator/region/region_comparison.hpp"
+#include "actuator/mor/region_comparison.hpp"
 
 namespace torquewright::report {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "actuator/region/mor_table.hpp"
+#include "actuator/mor/mor_table.hpp"
 #include "src/report/parts/plotted_region.hpp"
 
 namespace torquewright::report {

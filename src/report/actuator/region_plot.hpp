@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "actuator/check/report.hpp"
-#include "actuator/region/mor_table.hpp"
+#include "actuator/drive_check/report.hpp"
+#include "actuator/mor/mor_table.hpp"
 #include "src/report/parts/gnuplot.hpp"
 #include "src/report/parts/plotted_region.hpp"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/replay/replay_report.hpp"
+#include "hopper/replay_report/replay_report.hpp"
 
 namespace torquewright::report {
 

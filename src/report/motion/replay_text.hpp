@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "hopper/replay/replay_report.hpp"
+#include "hopper/replay_report/replay_report.hpp"
 
 namespace torquewright::report {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "actuator/region/mor_table.hpp"
+#include "actuator/mor/mor_table.hpp"
 
 namespace torquewright::report {
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <set>
 
-#include "actuator/region/mor_table.hpp"
+#include "actuator/mor/mor_table.hpp"
 #include "io/text/time_text.hpp"
 #include "src/report/parts/chart.hpp"
 #include "src/report/parts/page_parts.hpp"

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "actuator/region/mor_table.hpp"
+#include "actuator/mor/mor_table.hpp"
 #include "hopper/check/series.hpp"
 #include "src/report/actuator/region_plot.hpp"
 #include "src/report/parts/plot_panels.hpp"

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "hopper/check/flights.hpp"
+#include "hopper/demand/flights.hpp"
 
 namespace torquewright::report {
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "actuator/check/check_report_spec.hpp"
+#include "actuator/drive_check/check_report_spec.hpp"
 
 namespace torquewright::actuator {
 namespace {

@@ -13,7 +13,7 @@
 #include <numbers>
 #include <thread>
 
-#include "actuator/check/check_report_spec.hpp"
+#include "actuator/drive_check/check_report_spec.hpp"
 #include "actuator/effects/library.hpp"
 #include "tests/actuator/check/checked_joint.hpp"
 

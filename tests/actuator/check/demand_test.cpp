@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/check/demand.hpp"
+#include "actuator/drive_check/demand.hpp"
 
 #include <gtest/gtest.h>
 

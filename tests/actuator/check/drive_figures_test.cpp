@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "actuator/check/check.hpp"
-#include "actuator/check/region_lookup.hpp"
+#include "actuator/drive_check/region_lookup.hpp"
 #include "actuator/effects/library.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "tests/actuator/check/checked_joint.hpp"

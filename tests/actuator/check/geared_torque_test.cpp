@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: Newton's law of a rotor of 0.5 kg m^2 at the joint (10:1), by hand: of 20 rad/s^2 it
 // takes 10 Nm there, 1 Nm of the motor, 10 A; whatever passes the teeth is the load's alone.
-#include "actuator/check/geared_torque.hpp"
+#include "actuator/drive_check/geared_torque.hpp"
 
 #include <gtest/gtest.h>
 
 #include <initializer_list>
 
-#include "actuator/check/demand.hpp"
+#include "actuator/drive_check/demand.hpp"
 #include "tests/actuator/check/checked_joint.hpp"
 
 namespace torquewright::actuator {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "actuator/check/region_lookup.hpp"
+#include "actuator/drive_check/region_lookup.hpp"
 #include "tests/actuator/check/simple_actuator.hpp"
 #include "tests/actuator/random_actuator.hpp"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "actuator/check/left_out_sizes.hpp"
+#include "actuator/drive_check/left_out_sizes.hpp"
 #include "tests/actuator/check/checked_joint.hpp"
 #include "tests/actuator/effect_of_some_size.hpp"
 #include "tests/actuator/example_actuator.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/check/region_lookup.hpp"
+#include "actuator/drive_check/region_lookup.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: the meaning of the signs. Torque along the speed pushes, against it brakes; mirrored in
 // both signs, the sentence stays.
-#include "actuator/check/region_words.hpp"
+#include "actuator/drive_check/region_words.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "actuator/check/winding_heat.hpp"
+#include "actuator/drive_check/winding_heat.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-#include "actuator/region/clip_table.hpp"
+#include "actuator/mor/clip_table.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"
 
 extern "C" double clip_parallelogram_in_c(double stall, double no_load, double greatest,

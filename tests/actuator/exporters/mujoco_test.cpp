@@ -8,7 +8,7 @@
 
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/simulator_file.hpp"
-#include "actuator/region/clip_table.hpp"
+#include "actuator/mor/clip_table.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"
 #include "tests/actuator/exporters/mujoco_simulation.hpp"
 

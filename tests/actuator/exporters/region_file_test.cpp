@@ -14,7 +14,7 @@
 #include "actuator/conditions/region_grid.hpp"
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/simulator_file.hpp"
-#include "actuator/region/clip_table.hpp"
+#include "actuator/mor/clip_table.hpp"
 #include "tests/actuator/exporters/command_output.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"
 #include "tests/io/scratch_folder.hpp"

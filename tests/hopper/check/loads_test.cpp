@@ -7,12 +7,12 @@
 #include <cmath>
 
 #include "actuator/effects/library.hpp"
-#include "hopper/check/base_residual.hpp"
-#include "hopper/check/contact_load.hpp"
-#include "hopper/check/drive_reports.hpp"
-#include "hopper/check/free_rows.hpp"
 #include "hopper/check/physical.hpp"
-#include "hopper/check/shared_bus.hpp"
+#include "hopper/demand/base_residual.hpp"
+#include "hopper/demand/contact_load.hpp"
+#include "hopper/demand/drive_reports.hpp"
+#include "hopper/demand/free_rows.hpp"
+#include "hopper/demand/shared_bus.hpp"
 #include "io/faults/spec_error.hpp"
 #include "robot/mechanisms/constant_jacobian.hpp"
 #include "tests/actuator/check/simple_actuator.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "hopper/check/checked_motion.hpp"
+#include "hopper/demand/checked_motion.hpp"
 
 namespace torquewright::hopper::check_test {
 

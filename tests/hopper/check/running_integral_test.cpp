@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: integrals of straight lines by hand.
-#include "hopper/check/running_integral.hpp"
+#include "hopper/demand/running_integral.hpp"
 
 #include <gtest/gtest.h>
 

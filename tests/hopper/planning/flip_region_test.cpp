@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "actuator/check/demand.hpp"
+#include "actuator/drive_check/demand.hpp"
 #include "actuator/motor/actuator_spec.hpp"
 #include "hopper/planning/region/drive_region.hpp"
 #include "io/faults/spec_error.hpp"

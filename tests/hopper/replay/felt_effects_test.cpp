@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "actuator/check/demand.hpp"
+#include "actuator/drive_check/demand.hpp"
 #include "hopper/engines/engine.hpp"
 #include "hopper/replay/free_rotors.hpp"
 #include "hopper/replay/left_out.hpp"

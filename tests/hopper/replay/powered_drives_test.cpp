@@ -11,9 +11,9 @@
 #include <random>
 #include <thread>
 
-#include "actuator/check/demand.hpp"
+#include "actuator/drive_check/demand.hpp"
 #include "actuator/heat/heat_model.hpp"
-#include "actuator/region/mor_table.hpp"
+#include "actuator/mor/mor_table.hpp"
 #include "io/faults/spec_error.hpp"
 #include "tests/hopper/replay/driven_robot.hpp"
 

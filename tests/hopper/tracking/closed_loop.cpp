@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "dynamics/momentum.hpp"
-#include "hopper/check/demand.hpp"
-#include "hopper/check/drive_reports.hpp"
+#include "hopper/demand/demand.hpp"
+#include "hopper/demand/drive_reports.hpp"
 #include "hopper/motion/motion_reader.hpp"
 #include "hopper/tracking/linearisation.hpp"
 #include "robot/model/robot_spec.hpp"

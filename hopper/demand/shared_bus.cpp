@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hopper/demand/shared_bus.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "actuator/drive_check/demand.hpp"
+#include "actuator/drive_check/geared_torque.hpp"
+#include "actuator/region/torque_at.hpp"
+#include "io/text/time_text.hpp"
+#include "io/text/wording.hpp"
+#include "robot/model/drive_supply.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+using Eigen::Index;
+
+constexpr double kRounding = 1e-9;  // of the greatest power
+
+std::vector<const actuator::Actuator*> drives_of(const Robot& robot) {
+  std::vector<const actuator::Actuator*> drives;
+  for (const Drivetrain& drivetrain : robot.drivetrains) {
+    for (const actuator::Actuator& actuator : drivetrain.actuators) drives.push_back(&actuator);
+  }
+  return drives;
+}
+
+/// Adds what one drive asks for; torque that no current yields counts as nothing (the drive's own
+/// check says so).
+void add_power(const CheckedMotion& checked, const actuator::Actuator& actuator, std::size_t drive,
+               const Eigen::MatrixXd& torques_Nm, Eigen::VectorXd& power_W) {
+  const actuator::PhaseModel model = actuator::phase_model_at(actuator, checked.options.conditions);
+  const double temperature_K = winding_temperature_K(actuator, checked.options.conditions);
+  const actuator::RotorBeforeMesh rotor(actuator);
+  const double rotor_kg_m2 = actuator::before_gears_kg_m2(actuator);
+  double before_rad_s = 0.0;
+  for (Index sample = 0; sample < power_W.size(); ++sample) {
+    const DriveInstant& at = checked.demand.drives[drive][static_cast<std::size_t>(sample)];
+    const double torque_Nm = torques_Nm(static_cast<Index>(drive), sample);
+    const auto asked = actuator::demand_at(
+        actuator, model, temperature_K, at.speed_rad_s,
+        rotor.of(at.speed_rad_s, torque_Nm, at.rotor_acceleration_rad_s2(rotor_kg_m2), before_rad_s)
+            .motor_Nm);
+    before_rad_s = at.speed_rad_s;
+    if (asked) power_W[sample] += asked->bus_power_W;
+  }
+}
+
+void settle(const CheckedMotion& checked, const actuator::Supply& supply,
+            const Eigen::VectorXd& power_W, SharedBus& bus) {
+  bus.open_circuit_V = supply.open_circuit_V;
+  bus.power_limit_W = supply.greatest_power_W;
+  bus.return_limit_W = supply.least_power_W;
+  bus.voltage_V.resize(power_W.size());
+  const double rounding_W = kRounding * power_W.cwiseAbs().maxCoeff();
+  for (Index sample = 0; sample < power_W.size(); ++sample) {
+    bus.voltage_V[sample] = loaded_voltage_V(supply, power_W[sample]);
+    if (power_W[sample] > greatest_power_W(supply) + rounding_W) ++bus.starved;
+    if (power_W[sample] < bus.return_limit_W - rounding_W) ++bus.flooded;
+  }
+  const auto time_s = [&](Index sample) { return checked.motion.time_s(sample); };
+  Index sample = 0;
+  bus.least_V = std::min(bus.open_circuit_V, bus.voltage_V.minCoeff(&sample));
+  bus.least_time_s = time_s(sample);
+  bus.greatest_power_W = std::max(0.0, power_W.maxCoeff(&sample));
+  bus.power_time_s = time_s(sample);
+  bus.least_power_W = std::min(0.0, power_W.minCoeff(&sample));
+  bus.return_time_s = time_s(sample);
+}
+
+std::string names_of(const CheckedMotion& checked, const SharedBus& bus) {
+  std::vector<std::string> all;
+  for (const Drivetrain& drivetrain : checked.robot.drivetrains) {
+    all.insert(all.end(), drivetrain.actuator_names.begin(), drivetrain.actuator_names.end());
+  }
+  std::vector<std::string> names;
+  for (const std::size_t drive : bus.drives) names.push_back(all[drive]);
+  return io::listed(names);
+}
+
+}  // namespace
+
+std::vector<SharedBus> shared_buses(const CheckedMotion& checked,
+                                    const Eigen::MatrixXd& torques_Nm) {
+  const auto drives = drives_of(checked.robot);
+  std::vector<SharedBus> buses;
+  for (DriveSupply& feeds : drive_supplies(drives, checked.options.conditions)) {
+    if (feeds.drives.size() < 2) continue;
+    Eigen::VectorXd power_W = Eigen::VectorXd::Zero(checked.motion.samples());
+    for (const std::size_t drive : feeds.drives) {
+      add_power(checked, *drives[drive], drive, torques_Nm, power_W);
+    }
+    SharedBus& bus = buses.emplace_back();
+    bus.drives = std::move(feeds.drives);
+    settle(checked, feeds.supply, power_W, bus);
+  }
+  return buses;
+}
+
+std::string overload_of(const SharedBus& bus) {
+  std::vector<std::string> sentences;
+  if (bus.starved > 0) {
+    sentences.push_back(
+        fmt::format("it cannot deliver the power of {} samples, {:.6g} W at t = {} s", bus.starved,
+                    bus.greatest_power_W, io::time_text(bus.power_time_s)));
+  }
+  if (bus.flooded > 0) {
+    sentences.push_back(fmt::format(
+        "it cannot take back the power of {} samples, {:.6g} W at t = {} s, where {:.6g} W are "
+        "the most by its charge_limit_A or maximum_voltage_V",
+        bus.flooded, -bus.least_power_W, io::time_text(bus.return_time_s),
+        0.0 - bus.return_limit_W));
+  }
+  return fmt::format("{}", fmt::join(sentences, "; "));
+}
+
+std::vector<Finding> shared_bus_findings(const CheckedMotion& checked,
+                                         const std::vector<SharedBus>& buses) {
+  std::vector<Finding> findings;
+  for (const SharedBus& bus : buses) {
+    Finding& finding = findings.emplace_back();
+    finding.rule = "shared-battery";
+    finding.value = bus.least_V;
+    finding.time_s = bus.least_time_s;
+    finding.unit = "V";
+    finding.sentence = fmt::format(
+        "{} load one battery together: its voltage falls from {:.4g} V to {:.4g} V at t = {} "
+        "s, the power is {:.4g} W at most (t = {} s); every drive is held against the region "
+        "at the voltage of each instant",
+        names_of(checked, bus), bus.open_circuit_V, bus.least_V, io::time_text(bus.least_time_s),
+        bus.greatest_power_W, io::time_text(bus.power_time_s));
+    if (bus.starved + bus.flooded == 0) continue;
+    const bool is_starved = bus.starved > 0;
+    finding.severity = actuator::Severity::kViolation;
+    finding.rule = "battery-power";
+    finding.value = is_starved ? bus.greatest_power_W : bus.least_power_W;
+    finding.limit = (is_starved ? bus.power_limit_W : bus.return_limit_W) + 0.0;  // no -0
+    if (!std::isfinite(*finding.limit)) finding.limit.reset();
+    finding.time_s = is_starved ? bus.power_time_s : bus.return_time_s;
+    finding.unit = "W";
+    finding.sentence =
+        fmt::format("{} load one battery together: {}", names_of(checked, bus), overload_of(bus));
+  }
+  return findings;
+}
+
+}  // namespace torquewright::hopper
