@@ -44,7 +44,9 @@ std::string report_document(const IdentifyRequest& request) {
 
 void require_log_options(const IdentifyRequest& request) {
   if (request.logs.empty()) command_line::refuse("logs is required");
-  if (request.rig_file.empty()) command_line::refuse("--rig is required");
+  if (request.rig_file.empty())
+    command_line::refuse(
+        "--rig is required; `torquewright init rig --from LOG -o rig.json` drafts one");
 }
 
 }  // namespace torquewright::cli

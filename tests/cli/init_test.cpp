@@ -3,6 +3,7 @@
 // which must take them as they are, and the pages in docs/documents as they were committed.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -45,6 +46,22 @@ std::string swing() {
     const double speed_deg_s = 20.0 * 2.0 * std::numbers::pi * std::cos(angle);
     csv += std::to_string(ms) + "," + std::to_string(20.0 * std::sin(angle)) + "," +
            std::to_string(speed_deg_s / 6.0) + ",5\n";
+  }
+  return csv;
+}
+
+/// Semicolons, decimal commas, a speed in rpm that says so nowhere; 6 s at 200 Hz.
+std::string semicolon_log_of_a_flywheel() {
+  std::string csv = "t_ms;q_rad;speed;i_A;remark\n";
+  for (int i = 0; i < 1200; ++i) {
+    const double t_s = 0.005 * i;
+    const double speed_rad_s = 6.0 * std::sin(4.0 * t_s);
+    const double torque_Nm = 0.02 * 24.0 * std::cos(4.0 * t_s) + (speed_rad_s > 0.0 ? 0.3 : -0.3);
+    std::string row = std::to_string(1e3 * t_s) + ";" + std::to_string(-1.5 * std::cos(4.0 * t_s)) +
+                      ";" + std::to_string(speed_rad_s * 30.0 / std::numbers::pi) + ";" +
+                      std::to_string(torque_Nm) + ";0\n";
+    std::replace(row.begin(), row.end(), '.', ',');
+    csv += row;
   }
   return csv;
 }
@@ -157,6 +174,48 @@ TEST(Init, NextLineIsWhatAShellTakes) {
       "\nnext: torquewright actuator mor ACTUATOR, whose \"gearbox\" names this file as its "
       "\"file\"\n"))
       << gearbox.out;
+}
+
+// A log as a spreadsheet writes it leads by three commands to an answer. Oracle: a free flywheel of
+// 0.02 kg m^2 by closed form, with 0.3 Nm of friction that no document states.
+TEST(Init, DraftsARigFromALogThatIdentifyTakes) {
+  const Workplace place;
+  place.write("log.csv", semicolon_log_of_a_flywheel());
+  const Outcome drafted = place.run({"init", "rig", "--from", "log.csv", "-o", "rig.json"});
+  ASSERT_EQ(drafted.exit_code, 0) << drafted.err;
+  EXPECT_NE(drafted.out.find("speed"), std::string::npos) << drafted.out;
+  EXPECT_NE(drafted.out.find("next: torquewright identify log.csv --rig rig.json"),
+            std::string::npos)
+      << drafted.out;
+  json rig = json::parse(place.text("rig.json"));
+  EXPECT_EQ(rig["columns"]["speed"],
+            (json{{"quantity", "output_velocity_rad_s"}, {"unit", "rpm"}}));
+  EXPECT_EQ(rig["assumed"], json::array({"/columns/speed"}));
+  EXPECT_EQ(rig["ignore"], json::array({"remark"}));
+  // What the log cannot say is refused until it is stated, and nothing else is.
+  const Words identify = {"identify", "log.csv",    "--rig",
+                          "rig.json", "--actuator", in_specs("log/bench_actuator.json")};
+  const Outcome open = place.run(identify);
+  EXPECT_EQ(open.exit_code, 2);
+  EXPECT_NE(open.err.find("/load: missing"), std::string::npos) << open.err;
+  rig["load"] = {{"type", "free"}, {"inertia_kg_m2", 0.02}};
+  place.write("rig.json", rig.dump());
+  const Outcome found = place.run(identify);
+  EXPECT_LE(found.exit_code, 1) << found.err;
+  EXPECT_EQ(found.err.find("rig.json"), std::string::npos) << found.err;
+}
+
+TEST(Init, FromWhatIsNoLogIsRefused) {
+  const Workplace place;
+  place.write("log.csv", "apples,pears\n1,2\n2,1\n");
+  const Outcome unknown = place.run({"init", "rig", "--from", "log.csv", "-o", "rig.json"});
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_NE(unknown.err.find("none of its columns"), std::string::npos) << unknown.err;
+  EXPECT_FALSE(place.has("rig.json"));
+  EXPECT_EQ(place.run({"init", "rig", "--from", "gone.csv"}).exit_code, 2);
+  const Outcome robot = place.run({"init", "robot", "--from", "log.csv"});
+  EXPECT_EQ(robot.exit_code, 2);
+  EXPECT_NE(robot.err.find("--from: is of an actuator"), std::string::npos) << robot.err;
 }
 
 TEST(Init, WritesOverNothingAndStartsNoReport) {

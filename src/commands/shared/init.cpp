@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "actuator/catalogue/drive_set.hpp"
+#include "identification/draft/rig_draft_json.hpp"
+#include "io/documents/json_layout.hpp"
 #include "io/documents/published_schema.hpp"
 #include "io/documents/schema.hpp"
 #include "io/faults/refusal.hpp"
@@ -16,6 +18,7 @@
 #include "io/text/wording.hpp"
 #include "src/commands/shared/schema_commands.hpp"
 #include "src/options/output_files.hpp"
+#include "src/report/identification/draft_text.hpp"
 #include "src/report/parts/key_table.hpp"
 #include "src/report/parts/shell_word.hpp"
 #include "src/standard_output.hpp"
@@ -27,7 +30,7 @@ namespace {
 struct InitOptions {
   std::string kind;
   std::string output_file;
-  std::string drive;
+  std::string from;  ///< An actuator of the catalogue; of a rig a log.
   bool is_envelope = false;
   bool explains = false;
 };
@@ -79,31 +82,57 @@ std::string next_line(const StartedKind& kind, const std::string& file) {
                      fmt::format(fmt::runtime(kind.next), report::shell_word(file)));
 }
 
+/// A document to start from, and what is printed beside it.
+struct Start {
+  std::string document;
+  std::string explanation;
+  std::string next;
+};
+
+Start rig_of_log(const std::string& log, const std::string& output_file) {
+  const identification::RigDraft draft = identification::draft_rig(log);
+  const std::string name = "drafted from " + std::filesystem::path(log).filename().string();
+  return {io::json_layout(identification::rig_draft_json(draft, name)),
+          report::rig_draft_text(draft),
+          fmt::format("\nnext: torquewright identify {} --rig {} --actuator ACTUATOR\n",
+                      report::shell_word(log), report::shell_word(output_file))};
+}
+
 /// Of the kind: the usual one, or the one that an option names.
-std::string document_of(const InitOptions& options) {
-  const bool is_special = options.is_envelope || !options.drive.empty();
-  if (is_special && options.kind != "actuator") {
-    io::refuse(options.is_envelope ? "--envelope" : "--from",
-               fmt::format("is of an actuator, not of a {}", options.kind));
+Start start_of(const InitOptions& options, const StartedKind& kind) {
+  const bool is_rig = options.kind == "rig", is_actuator = options.kind == "actuator";
+  if (options.is_envelope && !is_actuator) {
+    io::refuse("--envelope", fmt::format("is of an actuator, not of a {}", options.kind));
   }
-  if (!options.drive.empty()) return actuator::catalogue_text(options.drive);
-  return io::document_to_start_from(options.kind, options.is_envelope ? 1 : 0);
+  if (!options.from.empty() && !is_actuator && !is_rig) {
+    io::refuse(
+        "--from",
+        fmt::format("is of an actuator (a name of the catalogue) or of a rig (a log), not of "
+                    "a {}",
+                    options.kind));
+  }
+  if (is_rig && !options.from.empty()) return rig_of_log(options.from, options.output_file);
+  const std::string next = next_line(kind, options.output_file);
+  if (!options.from.empty()) return {actuator::catalogue_text(options.from), "", next};
+  return {io::document_to_start_from(options.kind, options.is_envelope ? 1 : 0), "", next};
 }
 
 ExitCode run_init(const InitOptions& options) {
   const StartedKind& kind = started(options.kind);
   refuse_existing(options.output_file);
   check_written(named({options.output_file}), {});
-  const std::string document = document_of(options);
+  const Start start = start_of(options, kind);
+  const bool is_drafted = !start.explanation.empty();
+  const std::string explanation =
+      is_drafted ? start.explanation : report::key_table_text(options.kind);
   const bool is_file = !options.output_file.empty() && !is_standard_output(options.output_file);
   if (is_file) {
-    deliver_result(document, options.output_file);
-    print_result(for_window(report::key_table_text(options.kind)) +
-                 next_line(kind, options.output_file));
+    deliver_result(start.document, options.output_file);
+    print_result(for_window(explanation) + start.next);
+  } else if (options.explains && options.output_file.empty()) {
+    print_result(for_window(explanation));
   } else {
-    print_result(options.explains && options.output_file.empty()
-                     ? for_window(report::key_table_text(options.kind))
-                     : document);
+    print_result(start.document);
   }
   return ExitCode::kPasses;
 }
@@ -127,9 +156,9 @@ void add_init_command(command_line::Command& program) {
   command.add_flag("--envelope", options->is_envelope,
                    "An actuator that is known by its curve: two numbers, a corner or points");
   command
-      .add_option("--from", options->drive,
-                  "An actuator of the catalogue, by its name in "
-                  "`actuator find`")
+      .add_option("--from", options->from,
+                  "An actuator of the catalogue, by its name in `actuator find`; for a rig the log "
+                  "(CSV) whose columns it is to name")
       .otherwise("none")
       .excludes("--envelope");
   command.add_flag("--explain", options->explains, "Print what its keys mean, and no document");

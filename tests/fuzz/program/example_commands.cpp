@@ -101,6 +101,7 @@ robot export specs/robot/mini_cheetah.json --format newton --actuators
 init actuator -o new.json
 init actuator --envelope -o curve.json
 init actuator --from cubemars_ak80_9
+init rig --from specs/log/bench.csv -o new_rig.json
 init robot --explain
 schema gearbox_problem
 man hopper flip -o flip.1

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/draft/column_words.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+namespace torquewright::identification {
+namespace {
+
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_small(char c) { return std::islower(static_cast<unsigned char>(c)) != 0; }
+bool is_large(char c) { return std::isupper(static_cast<unsigned char>(c)) != 0; }
+
+/// Whether a new word begins between two neighbours.
+bool begins_between(char before, char after) {
+  return (is_small(before) && is_large(after)) || (is_letter(before) && is_digit(after));
+}
+
+std::vector<std::string> split(std::string_view name) {
+  std::vector<std::string> words(1);
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    if (!is_letter(name[i]) && !is_digit(name[i])) {
+      words.emplace_back();
+      continue;
+    }
+    if (i > 0 && begins_between(name[i - 1], name[i])) words.emplace_back();
+    words.back() += name[i];
+  }
+  std::erase(words, "");
+  return words;
+}
+
+/// A unit as people write it where the table of units has another word for it.
+std::optional<io::Unit> find_written_unit(std::string_view name) {
+  struct Spelling {
+    std::string_view written, unit;
+  };
+  static constexpr Spelling kSpellings[] = {
+      {"C", "degC"},        {"N m", "Nm"},       {"N*m", "Nm"},    {"N.m", "Nm"},
+      {"degree", "deg"},    {"degrees", "deg"},  {"RPM", "rpm"},   {"turns", "rev"},
+      {"turns/s", "rev/s"}, {"radps", "rad/s"},  {"dps", "deg/s"}, {"sec", "s"},
+      {"seconds", "s"},     {"amps", "A"},       {"volts", "V"},   {"msec", "ms"},
+      {"m_s", "m/s"},       {"turns_s", "rev/s"}};
+  const auto* found = std::find_if(std::begin(kSpellings), std::end(kSpellings),
+                                   [&](const Spelling& each) { return each.written == name; });
+  return io::find_unit(found == std::end(kSpellings) ? name : found->unit);
+}
+
+/// What stands in brackets at a name's end, and the name before it; all of it where none do.
+std::pair<std::string_view, std::string_view> before_brackets(std::string_view name) {
+  const std::size_t open = name.find_last_of("[(");
+  if (open == std::string_view::npos || open == 0) return {name, ""};
+  const std::size_t close = name.find_first_of("])", open);
+  if (close == std::string_view::npos) return {name, ""};
+  return {name.substr(0, open), name.substr(open + 1, close - open - 1)};
+}
+
+/// The longest unit behind a sign that separates words; the name is cut before it.
+std::optional<io::Unit> take_unit_at_end(std::string_view& name) {
+  for (std::size_t i = 1; i + 1 < name.size(); ++i) {
+    if (is_letter(name[i]) || is_digit(name[i])) continue;
+    const std::optional<io::Unit> unit = find_written_unit(name.substr(i + 1));
+    if (!unit) continue;
+    name = name.substr(0, i);
+    return unit;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ColumnWords words_of(std::string_view column, std::string_view unit_below) {
+  auto [name, in_brackets] = before_brackets(column);
+  ColumnWords found;
+  found.unit = find_written_unit(unit_below);
+  const std::optional<io::Unit> bracketed = find_written_unit(in_brackets);
+  const std::optional<io::Unit> ending = bracketed ? bracketed : take_unit_at_end(name);
+  if (!found.unit) found.unit = ending;
+  found.words = split(name);
+  return found;
+}
+
+}  // namespace torquewright::identification

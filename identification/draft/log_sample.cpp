@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/draft/log_sample.hpp"
+
+#include <limits>
+
+#include "io/files/csv.hpp"
+
+namespace torquewright::identification {
+
+LogSample read_sample(const std::filesystem::path& file, std::size_t most_rows) {
+  io::CsvReader reader(file, io::CsvReader::CutEnd::kDropped, io::CsvReader::UnitsRow::kTaken);
+  LogSample sample;
+  sample.names = reader.header();
+  sample.units = reader.units();
+  sample.units.resize(sample.names.size());
+  sample.numbers.resize(sample.names.size());
+  for (std::size_t row = 0; row < most_rows && reader.next(); ++row) {
+    for (std::size_t c = 0; c < sample.names.size(); ++c) {
+      sample.numbers[c].push_back(reader.is_number(c) ? reader.number(c)
+                                                      : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  return sample;
+}
+
+}  // namespace torquewright::identification
