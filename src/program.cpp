@@ -68,6 +68,7 @@ void add_robot_commands(Command& program) {
   Command robot =
       add_group(program, "robot", "Read robots of other programs, and write robots for them",
                 "robot export specs/robot/rabbit.json --format urdf");
+  add_attach_command(robot);
   add_import_command(robot);
   add_export_command(robot);
 }

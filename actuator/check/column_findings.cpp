@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "actuator/drive_check/drive_rows.hpp"
+#include "actuator/trajectory/meant_columns.hpp"
 #include "io/files/csv.hpp"
 #include "io/text/nearest.hpp"
 #include "io/text/units.hpp"
@@ -44,7 +45,9 @@ std::optional<io::Unit> unit_in_name(const std::string& name, io::Dimension dime
 class HeaderReading {
  public:
   HeaderReading(const Names& header, const CheckRequest& request, Names joints)
-      : header_(header), request_(request), joints_(std::move(joints)) {
+      : header_(header),
+        joints_(std::move(joints)),
+        stated_(without_patterns(request.columns, joints_, header, request.trajectory.string())) {
     for (const std::string& column : header_) {
       const auto mapping = canonical_mapping(column);
       if (mapping && mapping->quantity != Quantity::kTorque) moving_.insert(mapping->joint);
@@ -66,15 +69,14 @@ class HeaderReading {
   }
 
   bool is_stated(const std::string& column) const {
-    return std::any_of(request_.columns.begin(), request_.columns.end(),
+    return std::any_of(stated_.begin(), stated_.end(),
                        [&](const ColumnMapping& stated) { return stated.column == column; });
   }
 
   bool is_stated(const std::string& joint, Quantity quantity) const {
-    return std::any_of(request_.columns.begin(), request_.columns.end(),
-                       [&](const ColumnMapping& stated) {
-                         return stated.joint == joint && stated.quantity == quantity;
-                       });
+    return std::any_of(stated_.begin(), stated_.end(), [&](const ColumnMapping& stated) {
+      return stated.joint == joint && stated.quantity == quantity;
+    });
   }
 
   bool is_read(const std::optional<ColumnMapping>& mapping) const {
@@ -99,8 +101,8 @@ class HeaderReading {
   }
 
   const Names& header_;
-  const CheckRequest& request_;
   Names joints_;
+  std::vector<ColumnMapping> stated_;
   std::set<std::string> moving_;  ///< Joints whose position or velocity the file has.
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actuator/trajectory/meant_columns.hpp"
 #include "actuator/trajectory/one_time.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/text/nearest.hpp"
@@ -146,7 +147,8 @@ TrajectoryReader::TrajectoryReader(const std::filesystem::path& file,
                                    const std::vector<ColumnMapping>& mappings,
                                    const std::vector<std::string>& joints, const Window& window)
     : csv_(file), window_(window), joints_(joints.size()), unwraps_(joints.size()) {
-  const std::vector<ColumnMapping> all = complete(csv_, mappings, joints);
+  const std::vector<ColumnMapping> all =
+      complete(csv_, without_patterns(mappings, joints, csv_.header(), csv_.file()), joints);
   refuse_foreign_units(csv_, all, joints);
   assign(all, joints);
   require_complete(all, joints);

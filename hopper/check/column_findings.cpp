@@ -10,7 +10,7 @@
 
 #include "actuator/check/column_findings.hpp"
 #include "hopper/motion/channel.hpp"
-#include "hopper/motion/mapping_spec.hpp"
+#include "hopper/motion/stated_columns.hpp"
 #include "io/files/csv.hpp"
 #include "io/text/nearest.hpp"
 
@@ -18,15 +18,6 @@ namespace torquewright::hopper {
 namespace {
 
 using actuator::MappingText;
-
-std::vector<MappingText> stated_mappings(const MotionFile& source) {
-  std::vector<MappingText> stated;
-  for (const std::string& text : source.mappings) stated.push_back(actuator::split_mapping(text));
-  for (const io::Document& document : source.documents) {
-    for (MappingText& mapping : read_mappings(document)) stated.push_back(std::move(mapping));
-  }
-  return stated;
-}
 
 /// The missing header of the column's owner that it may be a misspelling of; empty: none.
 std::string meant_header(const std::string& column, const std::vector<Channel>& missing) {
@@ -39,13 +30,13 @@ std::string meant_header(const std::string& column, const std::vector<Channel>& 
 }
 
 std::vector<actuator::UnreadColumn> unread_columns(const std::vector<std::string>& header,
-                                                   const std::vector<MappingText>& stated,
+                                                   const std::vector<StatedColumn>& stated,
                                                    std::vector<Channel> channels) {
   std::set<std::string> read{"t", "time"};
   std::set<std::size_t> filled;
-  for (const MappingText& mapping : stated) {
-    read.insert(mapping.column);
-    filled.insert(find_channel(mapping, mapping.column, channels).channel);
+  for (const StatedColumn& each : stated) {
+    read.insert(each.mapping.column);
+    filled.insert(find_channel(each.mapping, each.mapping.column, channels).channel);
   }
   std::vector<Channel> missing;
   for (std::size_t i = 0; i < channels.size(); ++i) {
@@ -67,13 +58,17 @@ std::vector<actuator::UnreadColumn> unread_columns(const std::vector<std::string
 }  // namespace
 
 std::vector<actuator::Finding> column_findings(const Robot& robot, const MotionFile& source) {
-  const std::vector<MappingText> stated = stated_mappings(source);
-  std::vector<actuator::Finding> findings = actuator::unit_findings(stated);
+  const std::vector<StatedColumn> stated = stated_columns(source.mappings, source.documents);
+  std::vector<MappingText> mappings;
+  for (const StatedColumn& each : stated) mappings.push_back(each.mapping);
+  std::vector<actuator::Finding> findings = actuator::unit_findings(mappings);
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(source.file, unknown)) return findings;
   const io::CsvReader csv(source.file);
+  const std::vector<Channel> channels = channels_of(robot);
+  const auto spread = without_patterns(stated, channels, csv.header(), csv.file());
   for (actuator::Finding& finding :
-       actuator::unread_findings(unread_columns(csv.header(), stated, channels_of(robot)))) {
+       actuator::unread_findings(unread_columns(csv.header(), spread, channels))) {
     findings.push_back(std::move(finding));
   }
   return findings;

@@ -11,8 +11,8 @@
 #include "actuator/trajectory/columns.hpp"
 #include "actuator/trajectory/one_time.hpp"
 #include "hopper/motion/ground_line.hpp"
-#include "hopper/motion/mapping_spec.hpp"
 #include "hopper/motion/slopes.hpp"
+#include "hopper/motion/stated_columns.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/text/nearest.hpp"
 #include "io/text/wording.hpp"
@@ -93,14 +93,10 @@ class MotionReader {
   }
 
   void take_stated_columns() {
-    for (const std::string& text : source_.mappings) {
-      take(find_channel(actuator::split_mapping(text), text, channels_));
-    }
-    for (const io::Document& document : source_.documents) {
-      for (const actuator::MappingText& mapping : read_mappings(document)) {
-        take(find_channel(mapping, fmt::format("{} of {}", mapping.column, document.file),
-                          channels_));
-      }
+    const auto stated = stated_columns(source_.mappings, source_.documents);
+    for (const StatedColumn& each :
+         without_patterns(stated, channels_, csv_.header(), csv_.file())) {
+      take(find_channel(each.mapping, each.text, channels_));
     }
   }
 

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "identification/rig/column_patterns.hpp"
 #include "identification/rig/controller_spec.hpp"
 #include "identification/rig/load_spec.hpp"
 #include "identification/rig/rig.hpp"
@@ -15,6 +14,7 @@
 #include "identification/rig/robot_load_spec.hpp"
 #include "io/documents/document.hpp"
 #include "io/faults/json_text.hpp"
+#include "io/text/column_patterns.hpp"
 #include "io/text/nearest.hpp"
 #include "io/text/one_line.hpp"
 #include "io/text/units.hpp"
@@ -168,7 +168,7 @@ class RigReader {
                           scale * unit.zero_in_SI + fields.value("offset", 0.0),
                           fields.value("joint", ""),
                           fields.contains("unit") || fields.contains("scale")};
-      if (rig_.load.type == LoadType::kRobot && is_pattern(column)) {
+      if (rig_.load.type == LoadType::kRobot && io::is_pattern(column)) {
         read_pattern(use, path);
         continue;
       }
@@ -181,7 +181,7 @@ class RigReader {
   void read_pattern(ColumnUse use, const std::string& path) {
     const std::string joint = use.joint.empty() ? "{joint}" : use.joint;
     if (robot_joints_.empty()) return;  // the robot itself was refused
-    const auto columns = columns_of_pattern(use.column, joint, robot_joints_);
+    const auto columns = io::columns_of_pattern(use.column, joint, robot_joints_);
     if (columns.empty()) {
       report(path,
              fmt::format("fits no joint: \"joint\" ({}) must hold the word in braces that the "
@@ -189,7 +189,7 @@ class RigReader {
                          "name; the robot's joints are {}",
                          joint, io::listed(robot_joints_)));
     }
-    for (const PatternColumn& one : columns) {
+    for (const io::PatternColumn& one : columns) {
       use.column = one.column;
       use.joint = one.joint;
       rig_.columns.push_back(use);

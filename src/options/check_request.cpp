@@ -9,7 +9,8 @@ namespace {
 void add_reading_options(command_line::Command& command, CheckOptions& options) {
   command
       .add_option("--column", options.columns,
-                  "NAME=JOINT.QUANTITY[:unit][*factor]: what a column is; NAME=time[:unit]")
+                  "NAME=JOINT.QUANTITY[:unit][*factor]: what a column is; NAME=time[:unit]; "
+                  "'{joint}_pos={joint}.position' says it of every joint")
       .otherwise("the header's names")
       .one_value_each()
       .stated_as("column", kInputsPlace);

@@ -101,7 +101,8 @@ void add_column_options(command_line::Command& command, HopperCheckRequest& requ
   needed(command
              .add_option("--column", request.columns,
                          "NAME=OWNER.QUANTITY[:unit][*factor]: what a column is; owners are "
-                         "joints, base_x, base_z, base_pitch, ... and contacts (force_x, contact)")
+                         "joints, base_x, base_z, base_pitch, ... and contacts (force_x, contact); "
+                         "'{joint}_pos={joint}.position' says it of every joint")
              .otherwise("the header's names")
              .one_value_each()
              .stated_as("column", kInputsPlace));

@@ -6,6 +6,7 @@
 namespace torquewright::cli {
 
 /// Each adds one command to `robot`.
+void add_attach_command(command_line::Command& robot);
 void add_import_command(command_line::Command& robot);
 void add_export_command(command_line::Command& robot);
 

@@ -56,7 +56,9 @@ hopper::ReadRobot read(const ExportOptions& options) {
   require_parts(options);
   hopper::ReadRobot robot = hopper::read_robot(options.robot_file);
   if (actuators_only(options) && robot.robot.drivetrains.empty()) {
-    throw io::SpecError({{options.robot_file, "/mechanisms", "missing: there are no drives"}});
+    throw io::SpecError({{options.robot_file, "/mechanisms",
+                          "missing: there are no drives; `torquewright robot attach ROBOT "
+                          "'JOINT=ACTUATOR' -o ROBOT` names them"}});
   }
   if (options.parts.actuators) {
     for (const hopper::Drivetrain& drivetrain : robot.robot.drivetrains) {

@@ -26,6 +26,16 @@ void move(Json& file, const fs::path& from, const fs::path& to) {
   file = moved;
 }
 
+template <typename Json>
+void move_mechanisms(Json& document, const fs::path& from, const fs::path& to) {
+  if (!document.contains("mechanisms")) return;
+  for (Json& mechanism : document["mechanisms"]) {
+    for (Json& file : mechanism["actuators"]) move(file, from, to);
+    const typename Json::json_pointer strength("/transmission_limit/strength");
+    if (mechanism.contains(strength)) move(mechanism[strength], from, to);
+  }
+}
+
 }  // namespace
 
 void move_actuator(nlohmann::ordered_json& document, const fs::path& from, const fs::path& to) {
@@ -39,12 +49,11 @@ void require_movable_actuator(const io::Document& document, const fs::path& to) 
 }
 
 void move_robot(nlohmann::json& document, const fs::path& from, const fs::path& to) {
-  if (!document.contains("mechanisms")) return;
-  for (nlohmann::json& mechanism : document["mechanisms"]) {
-    for (nlohmann::json& file : mechanism["actuators"]) move(file, from, to);
-    const nlohmann::json::json_pointer strength("/transmission_limit/strength");
-    if (mechanism.contains(strength)) move(mechanism[strength], from, to);
-  }
+  move_mechanisms(document, from, to);
+}
+
+void move_robot(nlohmann::ordered_json& document, const fs::path& from, const fs::path& to) {
+  move_mechanisms(document, from, to);
 }
 
 }  // namespace torquewright::cli

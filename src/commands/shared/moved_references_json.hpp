@@ -18,5 +18,7 @@ void require_movable_actuator(const io::Document& document, const std::filesyste
 /// The same of a robot's document.
 void move_robot(nlohmann::json& document, const std::filesystem::path& from,
                 const std::filesystem::path& to);
+void move_robot(nlohmann::ordered_json& document, const std::filesystem::path& from,
+                const std::filesystem::path& to);
 
 }  // namespace torquewright::cli

@@ -94,6 +94,7 @@ robot import specs/robot/rabbit.urdf -o rabbit.json
 robot import tests/fuzz/corpus/hopper.xml --format mjcf --free-couplings --mend-inertias --drop-base-armature
 robot import tests/fuzz/corpus/looped.xml -o looped.json --actuator knee=specs/actuator/d151_knee.json --actuator ankle_left=specs/actuator/d110a_ankle.json --actuator ankle_right=specs/actuator/d110a_ankle.json --massless-links --link-error 0.1
 robot export specs/robot/hopper.json --format mjcf --actuators --ground --collisions --closed-loops -o hopper.xml
+robot attach specs/robot/planar_leg.json knee=specs/actuator/d151_knee.json -o leg.json
 robot export specs/robot/cassie.json --format urdf
 robot export specs/robot/rabbit.json --format urdf -o rabbit.urdf
 robot export specs/robot/cassie.json --format isaac-lab --actuators -o cassie.py

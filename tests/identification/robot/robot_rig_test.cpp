@@ -3,10 +3,10 @@
 
 #include <map>
 
-#include "identification/rig/column_patterns.hpp"
 #include "identification/rig/joint_actuator_json.hpp"
 #include "identification/rig/rig.hpp"
 #include "io/documents/document.hpp"
+#include "io/text/column_patterns.hpp"
 #include "io/text/name_pattern.hpp"
 #include "tests/actuator/check/refusal.hpp"
 #include "tests/identification/robot/leg.hpp"
@@ -35,13 +35,13 @@ std::string refusal_of(const json& rig, const json& of = robot()) {
 // Oracle: the words of the pattern, written out by hand.
 TEST(ColumnPatterns, PutThePartOfTheJointsNameIntoTheColumns) {
   const std::vector<std::string> joints = {"FL_hip_joint", "FL_calf_joint", "tail"};
-  const auto columns = columns_of_pattern("{leg}_rad", "{leg}_joint", joints);
+  const auto columns = io::columns_of_pattern("{leg}_rad", "{leg}_joint", joints);
   ASSERT_EQ(columns.size(), 2u);
   EXPECT_EQ(columns[1].column, "FL_calf_rad");
   EXPECT_EQ(columns[1].joint, "FL_calf_joint");
-  EXPECT_EQ(columns_of_pattern("q {joint}", "{joint}", joints).back().column, "q tail");
-  EXPECT_TRUE(columns_of_pattern("{leg}_rad", "{joint}", joints).empty());
-  EXPECT_TRUE(columns_of_pattern("{leg}_rad", "{leg}_knee", joints).empty());
+  EXPECT_EQ(io::columns_of_pattern("q {joint}", "{joint}", joints).back().column, "q tail");
+  EXPECT_TRUE(io::columns_of_pattern("{leg}_rad", "{joint}", joints).empty());
+  EXPECT_TRUE(io::columns_of_pattern("{leg}_rad", "{leg}_knee", joints).empty());
 }
 
 TEST(NamePattern, TakesAnyLettersForAStar) {

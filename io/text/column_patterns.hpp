@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-namespace torquewright::identification {
+namespace torquewright::io {
 
-/// A column of a log and the joint that it is of.
+/// A column of a table and the joint that it is of.
 struct PatternColumn {
   std::string column, joint;
 };
@@ -21,4 +21,4 @@ std::vector<PatternColumn> columns_of_pattern(const std::string& column,
                                               const std::string& joint_pattern,
                                               const std::vector<std::string>& joints);
 
-}  // namespace torquewright::identification
+}  // namespace torquewright::io

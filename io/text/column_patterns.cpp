@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/rig/column_patterns.hpp"
+#include "io/text/column_patterns.hpp"
 
 #include <optional>
 
-namespace torquewright::identification {
+namespace torquewright::io {
 namespace {
 
 /// A name around one word in braces.
@@ -43,4 +43,4 @@ std::vector<PatternColumn> columns_of_pattern(const std::string& column,
   return columns;
 }
 
-}  // namespace torquewright::identification
+}  // namespace torquewright::io
