@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/calibration/figures.hpp"
 
-#include "robot/model/plausible_inertia.hpp"
+#include "robot/parts/plausible_inertia.hpp"
 
 namespace torquewright::hopper::calibration {
 namespace {

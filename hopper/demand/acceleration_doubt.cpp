@@ -3,7 +3,6 @@
 
 #include <Eigen/QR>
 
-#include "dynamics/momentum.hpp"
 #include "dynamics/point.hpp"
 #include "robot/model/touching_point.hpp"
 
@@ -59,7 +58,7 @@ class DoubtPass {
       dynamics::point_jacobian(body_.state(), touching_point(contact, body_.state()), jacobian);
       jacobians.middleCols(3 * i, 3) = jacobian.transpose();
     }
-    rows_.set(body_.state(), dynamics::centroid(body_.state()).position_m);
+    rows_.set(body_.state(), body_.centroid().position_m);
     MatrixXd columns(rows_.size(), 3 * points);
     MatrixXd asked(rows_.size(), forces.cols());
     rows_.take(jacobians, columns);

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/momentum.hpp"
 #include "dynamics/passive_forces.hpp"
 #include "dynamics/point.hpp"
@@ -228,7 +227,7 @@ class DemandPass {
   }
 
   void measure_robot() {
-    const dynamics::Centroid all = dynamics::centroid(body_.state());
+    const dynamics::Centroid all = body_.centroid();
     demand_.weight_N = all.mass_kg * gravity_of_limits_m_s2(robot_.tree);
     demand_.size_m =
         std::max(kLeastSize_m, std::sqrt(all.inertia_kg_m2.trace() / 2.0 / all.mass_kg));
@@ -321,8 +320,8 @@ class DemandPass {
   /// Forces for the sample's accelerations. Rotors apart: they load no free row (but through the
   /// base's acceleration, which none has).
   void ask(Index sample) {
-    dynamics::inverse_dynamics(body_.state(), motion_.accelerations.col(sample), force_);
-    dynamics::add_dampers_and_springs(body_.state(), force_);
+    body_.body_forces(motion_.accelerations.col(sample), force_);
+    body_.add_dampers_and_springs(force_);
     dynamics::add_dry_friction(body_.state(), motion_.accelerations.col(sample), force_);
     for (const std::size_t joint : given_passive_) {
       const auto row = static_cast<Index>(joint) - 1;
@@ -338,7 +337,7 @@ class DemandPass {
   }
 
   void note_centroid(Index sample) {
-    const dynamics::Centroid all = dynamics::centroid(body_.state());
+    const dynamics::Centroid all = body_.centroid();
     rows_.set(body_.state(), all.position_m);
     demand_.center_of_mass_m.col(sample) = all.position_m;
     demand_.angular_momentum_Nm_s.col(sample) = all.angular_momentum_Nm_s;
@@ -436,8 +435,8 @@ class DemandPass {
         0.5 * step_s * (motion_.accelerations.col(sample) + motion_.accelerations.col(sample - 1));
     // Forces are linear in the acceleration: the difference of two is M times the change.
     const VectorXd shifted = motion_.accelerations.col(sample) + change_;
-    dynamics::inverse_dynamics(body_.state(), shifted, lacking_);
-    dynamics::inverse_dynamics(body_.state(), motion_.accelerations.col(sample), still_);
+    body_.body_forces(shifted, lacking_);
+    body_.body_forces(motion_.accelerations.col(sample), still_);
     lacking_ -= still_;
     const auto presses = [&](Index i) {
       return contacts_.may_press(i, sample) || contacts_.may_press(i, sample - 1);
@@ -507,11 +506,11 @@ class DemandPass {
     const VectorXd change = motion_.velocities.col(sample) - motion_.velocities.col(sample - 1);
     MatrixXd mass(size_, size_);
     body_.mass_matrix(mass);
-    const dynamics::Centroid all = dynamics::centroid(body_.state());
+    const dynamics::Centroid all = body_.centroid();
     rows_.set(body_.state(), all.position_m);
     VectorXd impulse(size_);
-    dynamics::bias(body_.state(), impulse);
-    dynamics::add_dampers_and_springs(body_.state(), impulse);
+    body_.body_forces(VectorXd::Zero(size_), impulse);
+    body_.add_dampers_and_springs(impulse);
     impulse = (mass * change + impulse * step_s).eval();
     const VectorXd before = motion_.velocities.col(sample - 1);
     const VectorXd after = motion_.velocities.col(sample);

@@ -58,6 +58,15 @@ void require_no_spin(const Robot& robot) {
   }
 }
 
+void require_no_links(const Robot& robot) {
+  const double links_kg = robot.links_kg();
+  if (links_kg == 0) return;
+  throw std::invalid_argument(
+      fmt::format("MuJoCo cannot hold the robot: links of its loops weigh {:.4g} kg, and its "
+                  "bodies here are the tree's alone; --engine own holds them",
+                  links_kg));
+}
+
 double lowest_ground_m(const EngineOptions& options) {
   const std::vector<double>& heights_m = options.profile.heights_m;
   if (heights_m.empty()) return options.ground_height_m;
@@ -85,6 +94,7 @@ std::string terraces_of(const EngineOptions& options) {
 
 MujocoModel::MujocoModel(const Robot& robot, const EngineOptions& options) {
   require_no_spin(robot);
+  require_no_links(robot);
   load(robot, options);
   set_options(options);
   set_geoms(robot, options);

@@ -1,15 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "robot/draft/mesh_box.hpp"
 #include "robot/draft/primitive_inertia.hpp"
 #include "robot/model/robot.hpp"
 #include "robot/xml/element.hpp"
 
 namespace torquewright::hopper {
+
+/// A mesh of a file, which is opened only where a foot is.
+struct DraftMesh {
+  std::filesystem::path file;
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+  std::optional<MeshBox> stated = {};  ///< Where the robot's file lists its points.
+};
 
 /// A shape of a body that collides, and so may meet the ground.
 struct DraftShape {
@@ -20,6 +29,7 @@ struct DraftShape {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();  ///< In the body's frame, as is its centre.
   Eigen::Vector3d p_m = Eigen::Vector3d::Zero();
   std::optional<double> friction_coefficient = {};
+  std::optional<DraftMesh> mesh = {};  ///< In the place of primitive and size.
 };
 
 /// A body as a file has it: perhaps welded to its parent, perhaps without mass.

@@ -7,7 +7,7 @@
 #include "robot/draft/feet.hpp"
 #include "robot/draft/mended_inertia.hpp"
 #include "robot/draft/no_limits.hpp"
-#include "robot/model/plausible_inertia.hpp"
+#include "robot/parts/plausible_inertia.hpp"
 
 namespace torquewright::hopper {
 namespace {

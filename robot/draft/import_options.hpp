@@ -17,6 +17,8 @@ struct ImportFileOptions {
   /// The greatest share of the kinetic energy by which it may be off where cranks' and rods' mass
   /// is put to their neighbours.
   double greatest_link_error = 0.01;
+  /// Loops that are opened: names of their <connect> or of a body or site that it joins.
+  std::vector<std::string> opened_loops = {};
   bool welds_locked = false;  ///< URDF's joints whose limits are left out, or both zero.
   /// Elements and attributes that are left behind though the format's list refuses them, by name.
   std::vector<std::string> ignored_words = {};

@@ -23,10 +23,14 @@ struct LimitDrives {
   std::vector<std::string> notes;  ///< Joints that none was made for, and why.
 };
 
-/// A drive for each joint that turns, states a limit of torque and one of speed, and has no drive
-/// yet: that torque at every speed up to that limit, friction and gears apart, as simulators take
-/// both limits.
+/// A drive for each joint that turns, states a limit of torque and has no drive yet: that torque at
+/// every speed, up to the limit of speed if it states one, friction and gears apart, as simulators
+/// take both limits.
 LimitDrives limit_drives(const Robot& robot);
+
+/// The same drives in the robot itself (Drivetrain::is_of_limits): no document of its joints'
+/// motors need be there for a motion to be held against what they state.
+void drive_by_limits(Robot& robot);
 
 /// A robot's document, as text, with the drives as direct mechanisms; their files are in that
 /// folder as the document sees it.

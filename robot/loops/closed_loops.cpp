@@ -6,9 +6,11 @@
 #include <fmt/ranges.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 #include "robot/mechanisms/constant_jacobian.hpp"
 #include "robot/mechanisms/four_bar.hpp"
+#include "robot/mechanisms/loop.hpp"
 #include "robot/mechanisms/parallel_ankle.hpp"
 
 namespace torquewright::hopper {
@@ -39,11 +41,16 @@ class LoopCloser {
       for (std::size_t i = 0; i < 2; ++i) {
         close_rod(ankle->geometry().rods[i], i, start_rad[static_cast<Eigen::Index>(i)]);
       }
+    } else if (const auto* loop = dynamic_cast<const Loop*>(drivetrain_.mechanism.get())) {
+      close_loop(*loop, loop->follow<double>(rest, rest)->position);
     } else {
       return false;
     }
     return true;
   }
+
+  /// Whether links weigh something because MuJoCo asks for it.
+  bool makes_weight() const { return makes_weight_; }
 
  private:
   std::vector<dynamics::Body>& bodies() { return looped_.robot.tree.bodies; }
@@ -57,10 +64,15 @@ class LoopCloser {
     link.joint.name = name;
     link.joint.p_PB_m = place_m;
     link.joint.axis = axis;
-    link.inertia.mass_kg = kLink_kg;
-    link.inertia.inertia_kg_m2 = kLink_kg_m2 * Matrix3d::Identity();
+    weigh(link);
     bodies().push_back(std::move(link));
     return bodies().size() - 1;
+  }
+
+  void weigh(dynamics::Body& link) {
+    link.inertia.mass_kg = kLink_kg;
+    link.inertia.inertia_kg_m2 = kLink_kg_m2 * Matrix3d::Identity();
+    makes_weight_ = true;
   }
 
   /// Its drive turns it alone; the rotor is its own.
@@ -133,12 +145,60 @@ class LoopCloser {
     drive(crank, index, rotor_of(index));
   }
 
+  /// Its links as they are, their joints at zero where the robot's are.
+  void close_loop(const Loop& loop, const Eigen::VectorXd& at_zero) {
+    const LoopGeometry& geometry = loop.geometry();
+    std::vector<std::size_t> place{bodies()[drivetrain_.joints.front()].parent};
+    place.insert(place.end(), drivetrain_.joints.begin(), drivetrain_.joints.end());
+    for (std::size_t i = place.size(); i < geometry.tree.bodies.size(); ++i) {
+      dynamics::Body link = geometry.tree.bodies[i];
+      link.parent = place[link.parent];
+      begin_at(at_zero[static_cast<Eigen::Index>(i) - 1], link.joint);
+      place.push_back(bodies().size());
+      bodies().push_back(std::move(link));
+    }
+    for (std::size_t i = place.size() - static_cast<std::size_t>(geometry.links());
+         i < place.size(); ++i) {
+      if (bodies()[place[i]].inertia.mass_kg == 0 && !carries_another(place[i])) {
+        weigh(bodies()[place[i]]);
+      }
+    }
+    for (const LoopClosure& closure : geometry.closures) {
+      looped_.pins.push_back({place[closure[0].body], place[closure[1].body], closure[0].p_B_m});
+    }
+    for (std::size_t i = 0; i < geometry.turned.size(); ++i) {
+      const std::size_t turned = place[geometry.turned[i]];
+      const double own_kg_m2 = bodies()[turned].joint.reflected_inertia;
+      drive(turned, i, own_kg_m2 + rotor_of(i));
+    }
+  }
+
+  bool carries_another(std::size_t body) {
+    const auto& all = bodies();
+    return std::any_of(all.begin() + 1, all.end(),
+                       [&](const dynamics::Body& other) { return other.parent == body; });
+  }
+
+  /// Counts a joint's position from there.
+  static void begin_at(double position, dynamics::Joint& joint) {
+    if (joint.kind == dynamics::JointKind::kRevolute) {
+      joint.R_PB = joint.R_PB * Eigen::AngleAxisd(position, joint.axis).toRotationMatrix();
+    } else {
+      joint.p_PB_m += joint.R_PB * joint.axis * position;
+    }
+    joint.limits.position_min -= position;
+    joint.limits.position_max -= position;
+    joint.passive.rest_position -= position;
+  }
+
   LoopedRobot& looped_;
   const Drivetrain& drivetrain_;
+  bool makes_weight_ = false;
 };
 
 bool is_linkage(const Mechanism& mechanism) {
-  return mechanism.type() == "four_bar" || mechanism.type() == "parallel_ankle";
+  return mechanism.type() == "four_bar" || mechanism.type() == "parallel_ankle" ||
+         mechanism.type() == "loop";
 }
 
 }  // namespace
@@ -146,14 +206,19 @@ bool is_linkage(const Mechanism& mechanism) {
 LoopedRobot with_closed_loops(const Robot& robot, std::vector<std::string>& notes) {
   LoopedRobot looped{robot, {}};
   looped.robot.drivetrains.clear();
+  bool has_made_links = false;
   for (const Drivetrain& drivetrain : robot.drivetrains) {
-    if (LoopCloser(looped, drivetrain).close()) continue;
+    LoopCloser closer(looped, drivetrain);
+    if (closer.close()) {
+      has_made_links = has_made_links || closer.makes_weight();
+      continue;
+    }
     looped.robot.drivetrains.push_back(drivetrain);
     if (!is_linkage(*drivetrain.mechanism)) continue;
     notes.push_back(fmt::format("the linkage of {} is not held: it does not reach zero",
                                 fmt::join(drivetrain.actuator_names, ", ")));
   }
-  if (!looped.pins.empty()) {
+  if (has_made_links) {
     notes.push_back(fmt::format(
         "cranks and rods weigh {} kg each, for MuJoCo holds none without mass; they stand at zero "
         "where all joints do",

@@ -6,10 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <set>
 
+#include "robot/loops/kept_loop.hpp"
 #include "robot/loops/linkage_check.hpp"
 #include "robot/loops/linkage_geometry.hpp"
 #include "robot/loops/linkage_mass.hpp"
+#include "robot/loops/narrowed_range.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -27,21 +31,26 @@ class LinkageReader {
 
   void read(const std::vector<Connect>& connects) {
     for (const Connect& connect : connects) {
+      if (is_opened(connect)) continue;
       auto found = rod_loop_of(draft_, connect, driven_);
-      if (const auto* objection = std::get_if<std::string>(&found)) {
-        refuse(connect, *objection);
+      if (auto* objection = std::get_if<std::string>(&found)) {
+        keep_as_loop(connect, std::move(*objection));
       } else {
         loops_.push_back(std::get<RodLoop>(std::move(found)));
       }
     }
+    refuse_unknown_names();
     for (const RodLoop& loop : loops_) {
       const bool is_first = &first_with(loop.held) == &loop;
       if (is_first) read_one(loop);
     }
+    do {
+      take_out_links();
+    } while (!check());
+    narrow_linkages();
+    make_loops();
     faults_.refuse();
-    take_out_links();
-    check();
-    faults_.refuse();
+    note_linkages();
     put_in_robot();
   }
 
@@ -49,6 +58,40 @@ class LinkageReader {
   void refuse(const Connect& connect, const std::string& why) {
     faults_.report(*connect.element, fmt::format("closes a loop between \"{}\" and \"{}\": {}",
                                                  connect.names[0], connect.names[1], why));
+  }
+
+  /// What no mechanism of closed form is, and why.
+  void keep_as_loop(const Connect& connect, std::string why) {
+    kept_.push_back(connect);
+    why_kept_[connect.element] = std::move(why);
+  }
+
+  /// Whether the user asked for it, by its own name or that of an end.
+  bool is_opened(const Connect& connect) {
+    const std::string own = attribute(*connect.element, "name");
+    bool is_asked_for = false;
+    for (const std::string& name : options_.opened_loops) {
+      if (name != own && name != connect.names[0] && name != connect.names[1]) continue;
+      opened_names_.insert(name);
+      is_asked_for = true;
+    }
+    if (is_asked_for) {
+      imported_.notes.push_back(fmt::format(
+          "the loop between \"{}\" and \"{}\" is opened (--open-loop): nothing holds its ends "
+          "together, and its joints move each by itself",
+          connect.names[0], connect.names[1]));
+    }
+    return is_asked_for;
+  }
+
+  void refuse_unknown_names() {
+    for (const std::string& name : options_.opened_loops) {
+      if (opened_names_.contains(name)) continue;
+      throw io::SpecError({{"--open-loop", "",
+                            fmt::format("no <connect> that holds the robot is called \"{}\" or "
+                                        "joins a body or site of that name",
+                                        name)}});
+    }
   }
 
   const RodLoop& first_with(const std::vector<std::size_t>& held) const {
@@ -64,20 +107,26 @@ class LinkageReader {
     }
     const std::size_t needed = first.held.size();
     if (linkage.loops.size() != needed) {
-      refuse(first.connect,
-             fmt::format("{} rods move joint{} {}: a four_bar has one rod on one joint, a "
-                         "parallel_ankle two on two",
-                         linkage.loops.size(), needed > 1 ? "s" : "", joints_of(first)));
+      keep(linkage, fmt::format("{} rods move joint{} {}: a four_bar has one rod on one joint, a "
+                                "parallel_ankle two on two",
+                                linkage.loops.size(), needed > 1 ? "s" : "", joints_of(first)));
       return;
     }
-    auto found = needed == 1 ? four_bar_of(draft_, first, file_posture_)
-                             : parallel_ankle_of(draft_, linkage.loops, file_posture_);
+    // What is assembled in two ways is meant to be the one that is nearest to the file's bodies.
+    LoopFollower closed(draft_, linkage.loops);
+    closed.close();
+    auto found = needed == 1 ? four_bar_of(draft_, first, closed)
+                             : parallel_ankle_of(draft_, linkage.loops, closed);
     if (const auto* objection = std::get_if<std::string>(&found)) {
-      refuse(first.connect, *objection);
+      keep(linkage, *objection);
       return;
     }
     linkage.mechanism = std::get<std::shared_ptr<const Mechanism>>(std::move(found));
     linkages_.push_back(std::move(linkage));
+  }
+
+  void keep(const Linkage& linkage, const std::string& why) {
+    for (const RodLoop& loop : linkage.loops) keep_as_loop(loop.connect, why);
   }
 
   std::string joints_of(const RodLoop& loop) const {
@@ -90,9 +139,12 @@ class LinkageReader {
 
   /// Drafts without them, and where each one that is left was.
   void take_out_links() {
-    left_ = draft_;
+    lumped_ = draft_;
     is_link_.assign(draft_.size(), false);
+    mass_kg_ = 0;
     for (Linkage& linkage : linkages_) {
+      linkage.rotors_kg_m2.clear();
+      linkage.cranks_kg_m2.clear();
       for (const RodLoop& loop : linkage.loops) {
         is_link_[loop.crank] = true;
         for (const std::size_t part : loop.rod) is_link_[part] = true;
@@ -100,73 +152,141 @@ class LinkageReader {
         for (const std::size_t part : loop.rod) mass_kg_ += draft_[part].body.inertia.mass_kg;
         linkage.rotors_kg_m2.push_back(draft_[loop.crank].body.joint.reflected_inertia);
         linkage.cranks_kg_m2.push_back(
-            options_.drops_link_mass ? 0 : lump_links(loop, file_posture_, left_));
+            options_.drops_link_mass ? 0 : lump_links(loop, file_posture_, lumped_));
       }
     }
-    index_.assign(draft_.size(), 0);
-    std::vector<DraftBody> kept;
-    for (std::size_t i = 0; i < left_.size(); ++i) {
-      if (is_link_[i]) continue;
-      index_[i] = kept.size();
-      kept.push_back(left_[i]);
-      kept.back().body.parent = index_[kept.back().body.parent];
-    }
-    left_ = std::move(kept);
+    leave_out_links();
   }
 
-  void check() {
+  void leave_out_links() {
+    index_.assign(draft_.size(), 0);
+    left_.clear();
+    for (std::size_t i = 0; i < lumped_.size(); ++i) {
+      if (is_link_[i]) continue;
+      index_[i] = left_.size();
+      left_.push_back(lumped_[i]);
+      left_.back().body.parent = index_[left_.back().body.parent];
+    }
+  }
+
+  /// Of those whose mass its neighbours cannot have, the one that is off the most: others may only
+  /// seem so because of it.
+  void refuse_heaviest(std::vector<LinkageDifference>& differences) const {
+    if (options_.drops_link_mass || differences.empty()) return;
+    const auto worst = std::max_element(
+        differences.begin(), differences.end(),
+        [](const auto& one, const auto& other) { return one.energy_share < other.energy_share; });
+    if (!worst->trouble.empty() || worst->energy_share <= options_.greatest_link_error) return;
+    const auto index = static_cast<std::size_t>(worst - differences.begin());
+    worst->trouble = fmt::format(
+        "cranks and rods weigh {:.4g} kg, and a {} has rods without mass: put to their neighbours "
+        "it leaves the kinetic energy of a motion off by up to {:.2g} of it, more than {:.2g} "
+        "(--link-error allows more, --massless-links leaves their mass out)",
+        mass_kg_, linkages_[index].mechanism->type(), worst->energy_share,
+        options_.greatest_link_error);
+  }
+
+  /// False where some linkages were none after all, and are kept as loops.
+  bool check() {
     LinkageCheck check(draft_, left_, linkages_, index_);
+    std::vector<LinkageDifference> differences;
+    for (std::size_t i = 0; i < linkages_.size(); ++i) differences.push_back(check.run(i));
+    refuse_heaviest(differences);
+    std::vector<Linkage> stay;
+    off_.clear();
     for (std::size_t i = 0; i < linkages_.size(); ++i) {
-      const LinkageDifference off = check.run(i);
-      const Linkage& linkage = linkages_[i];
-      const Connect& connect = linkage.loops.front().connect;
-      if (!off.trouble.empty()) {
-        refuse(connect, off.trouble);
+      if (!differences[i].trouble.empty()) {
+        keep(linkages_[i], differences[i].trouble);
         continue;
       }
-      worst_ = std::max(worst_, off.energy_share);
-      imported_.notes.push_back(
-          fmt::format("what moves {} is read as a {}, driven at {}: in {} postures cranks stand "
-                      "where the file's bodies do, but for {:.1g} rad",
-                      joints_of(linkage.loops.front()), linkage.mechanism->type(),
-                      fmt::join(names_of(linkage), " and "), off.postures, off.crank_rad));
+      stay.push_back(linkages_[i]);
+      off_.push_back(differences[i]);
     }
-    check_mass();
+    const bool all_stay = stay.size() == linkages_.size();
+    linkages_ = std::move(stay);
+    return all_stay;
   }
 
-  void check_mass() {
+  /// What is no linkage, with its own bodies.
+  void make_loops() {
+    for (const std::vector<Connect>& group : connected(draft_, kept_)) {
+      auto made = general_loop_of(draft_, group, driven_);
+      if (const auto* objection = std::get_if<std::string>(&made)) {
+        refuse(group.front(),
+               fmt::format("{}; nor is it a loop of other shape: {}; --open-loop {} opens it",
+                           why_kept_.at(group.front().element), *objection,
+                           name_to_open(group.front())));
+        continue;
+      }
+      GeneralLoop loop = std::get<GeneralLoop>(std::move(made));
+      narrow(*loop.mechanism, loop.joints, loop.turned);
+      const std::string end = end_within_range(*loop.mechanism, as_narrowed(loop.joints));
+      if (!end.empty()) {
+        refuse(group.front(), fmt::format("{}; as a loop of other shape {}",
+                                          why_kept_.at(group.front().element), end));
+        continue;
+      }
+      general_.push_back(std::move(loop));
+    }
+  }
+
+  std::vector<dynamics::Joint> as_narrowed(const std::vector<std::size_t>& joints) const {
+    std::vector<dynamics::Joint> out;
+    for (const std::size_t joint : joints) out.push_back(lumped_[joint].body.joint);
+    return out;
+  }
+
+  void narrow(const Mechanism& mechanism, const std::vector<std::size_t>& held,
+              const std::vector<std::size_t>& turned) {
+    std::vector<dynamics::Joint*> joints;
+    for (const std::size_t joint : held) joints.push_back(&lumped_[joint].body.joint);
+    std::vector<dynamics::JointLimits> cranks;
+    for (const std::size_t crank : turned) cranks.push_back(draft_[crank].body.joint.limits);
+    for (std::string& note : narrow_to_cranks(mechanism, joints, cranks)) {
+      imported_.notes.push_back(std::move(note));
+    }
+  }
+
+  static std::string name_to_open(const Connect& connect) {
+    const std::string own = attribute(*connect.element, "name");
+    return own.empty() ? connect.names[1] : own;
+  }
+
+  void narrow_linkages() {
+    for (const Linkage& linkage : linkages_) {
+      std::vector<std::size_t> cranks;
+      for (const RodLoop& loop : linkage.loops) cranks.push_back(loop.crank);
+      narrow(*linkage.mechanism, linkage.loops.front().held, cranks);
+    }
+  }
+
+  void note_linkages() {
+    double worst = 0;
+    for (std::size_t i = 0; i < linkages_.size(); ++i) {
+      worst = std::max(worst, off_[i].energy_share);
+      imported_.notes.push_back(fmt::format(
+          "what moves {} is read as a {}, driven at {}: in {} postures cranks stand "
+          "where the file's bodies do, but for {:.1g} rad",
+          joints_of(linkages_[i].loops.front()), linkages_[i].mechanism->type(),
+          fmt::join(names_of(linkages_[i]), " and "), off_[i].postures, off_[i].crank_rad));
+    }
     if (linkages_.empty()) return;
-    const Connect& first = linkages_.front().loops.front().connect;
-    if (options_.drops_link_mass) {
-      imported_.notes.push_back(
-          fmt::format("cranks and rods are left out with their {:.4g} kg: the kinetic energy of a "
-                      "motion is off by at most {:.2g} of it",
-                      mass_kg_, worst_));
-      return;
-    }
-    if (!(worst_ <= options_.greatest_link_error)) {
-      refuse(first,
-             fmt::format("cranks and rods weigh {:.4g} kg, and no mechanism of ours has a rod with "
-                         "mass: put to their neighbours it leaves the kinetic energy of a motion "
-                         "off by up to {:.2g} of it, more than {:.2g}; --link-error allows more, "
-                         "--massless-links leaves their mass out",
-                         mass_kg_, worst_, options_.greatest_link_error));
-      return;
-    }
-    imported_.notes.push_back(fmt::format(
-        "cranks and rods weigh {:.4g} kg, which their neighbours get (rods by points at their "
-        "pins, cranks at their axes, and what they weigh about these the drives): the kinetic "
-        "energy of a motion is off by at most {:.2g} of it",
-        mass_kg_, worst_));
+    imported_.notes.push_back(
+        options_.drops_link_mass
+            ? fmt::format("cranks and rods are left out with their {:.4g} kg: the kinetic energy "
+                          "of a motion is off by at most {:.2g} of it",
+                          mass_kg_, worst)
+            : fmt::format("cranks and rods weigh {:.4g} kg, which their neighbours get (rods by "
+                          "points at their pins, cranks at their axes, and what they weigh about "
+                          "these the drives): the kinetic energy of a motion is off by at most "
+                          "{:.2g} of it",
+                          mass_kg_, worst));
   }
 
   std::vector<std::string> names_of(const Linkage& linkage) const {
     std::vector<std::string> names;
-    for (const RodLoop& loop : linkage.loops) {
-      const std::string& joint = draft_[loop.crank].body.joint.name;
-      const auto drive = driven_.find(joint);
-      names.push_back(drive == driven_.end() || drive->second.empty() ? joint : drive->second);
-    }
+    for (const RodLoop& loop : linkage.loops)
+      names.push_back(drive_of(draft_, driven_, loop.crank));
     return names;
   }
 
@@ -181,6 +301,10 @@ class LinkageReader {
   }
 
   void put_in_robot() {
+    for (const GeneralLoop& loop : general_) {
+      for (const std::size_t link : loop.links) is_link_[link] = true;
+    }
+    leave_out_links();
     for (const Linkage& linkage : linkages_) {
       Drivetrain drivetrain;
       drivetrain.mechanism = linkage.mechanism;
@@ -194,6 +318,11 @@ class LinkageReader {
       imported_.robot.drivetrains.push_back(std::move(drivetrain));
       note_ranges(linkage);
       note_drag(linkage);
+    }
+    for (const GeneralLoop& loop : general_) {
+      const KeptLoop kept{loop, draft_, driven_, options_.drops_link_mass};
+      imported_.robot.drivetrains.push_back(kept.drivetrain(index_));
+      kept.add_notes(why_kept_.at(loop.connects.front().element), imported_.notes);
     }
     draft_ = std::move(left_);
   }
@@ -234,11 +363,16 @@ class LinkageReader {
   const LoopFollower file_posture_;
   std::vector<RodLoop> loops_;
   std::vector<Linkage> linkages_;
-  std::vector<DraftBody> left_;
+  std::vector<LinkageDifference> off_;  ///< By linkage.
+  std::vector<Connect> kept_;           ///< That are no linkages.
+  std::map<const Element*, std::string> why_kept_;
+  std::vector<GeneralLoop> general_;
+  std::set<std::string> opened_names_;
+  std::vector<DraftBody> lumped_;  ///< All drafts, with what the linkages' links give them.
+  std::vector<DraftBody> left_;    ///< Of these, those that are no links.
   std::vector<bool> is_link_;
   std::vector<std::size_t> index_;  ///< In left_, of what is no link.
-  double mass_kg_ = 0;              ///< Of all links.
-  double worst_ = 0;
+  double mass_kg_ = 0;              ///< Of the linkages' links.
 };
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 // One line for each type; its file defines the constant of that name.
 #define TORQUEWRIGHT_EVERY_MECHANISM(type) \
-  type(direct) type(parallel) type(four_bar) type(parallel_ankle)
+  type(direct) type(parallel) type(four_bar) type(parallel_ankle) type(loop)
 
 namespace torquewright::hopper::mechanisms {
 

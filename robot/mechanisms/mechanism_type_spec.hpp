@@ -33,8 +33,8 @@ struct MechanismKeys {
 /// One kind of mechanism: what documents call it, how it is read and written.
 struct MechanismType {
   std::string_view name;
-  std::size_t joints;
-  std::span<const std::string_view> needs;      ///< Keys of its own.
+  std::size_t joints;                       ///< That it moves; 0: as many as the document names.
+  std::span<const std::string_view> needs;  ///< Keys of its own.
   std::span<const std::string_view> may_state;  ///< Further keys of its own.
   /// Null where it added a fault, or where joints are missing that it needs to know.
   std::shared_ptr<const Mechanism> (*read)(const MechanismKeys& keys);

@@ -20,6 +20,8 @@
 #include "robot/mjcf/mjcf_equality.hpp"
 #include "robot/mjcf/mjcf_include.hpp"
 #include "robot/mjcf/mjcf_inertia.hpp"
+#include "robot/mjcf/mjcf_meshes.hpp"
+#include "robot/mjcf/mjcf_pairs.hpp"
 #include "robot/mjcf/mjcf_shapes.hpp"
 #include "robot/mjcf/mjcf_vocabulary.hpp"
 
@@ -49,7 +51,8 @@ class MjcfReader {
         root_(read_with_includes(file, faults_)),
         vocabulary_(mjcf_words(), Unlisted::kRefused, options.ignored_words, faults_),
         compiler_(read_compiler(root_, faults_)),
-        defaults_(root_, faults_) {}
+        defaults_(root_, faults_),
+        meshes_(mesh_assets(root_, file, context_)) {}
 
   Imported read() {
     imported_.robot.name = attribute(root_, "model");
@@ -214,7 +217,11 @@ class MjcfReader {
         continue;
       }
       joint.joint.name = name_or(joint.joint.name, fmt::format("ball_{}", joint.element->line));
-      if (!has_loops_) split_ball(joint, placed);
+      if (has_loops_) {
+        balls_.push_back({joint, placed});  // a rod's, perhaps
+      } else {
+        split_ball(joint, placed);
+      }
       for (MjcfJoint& hinge : hinges_of_ball(joint)) joints.push_back(std::move(hinge));
     }
     return joints;
@@ -271,12 +278,18 @@ class MjcfReader {
     }
     faults_.refuse();
     read_linkages(loops, driven_joints(root_, context_), options_, draft_, imported_, faults_);
-    for (const DraftBody& left : draft_) {
-      if (left.ball != nullptr && left.body.joint.axis == Vector3d::UnitX()) {
-        refuse_ball(*left.ball, faults_);
-      }
-    }
+    split_balls_that_are_left();
     faults_.refuse();
+  }
+
+  /// Those that are no rod's of a loop.
+  void split_balls_that_are_left() {
+    for (const auto& [ball, placed] : balls_) {
+      const bool is_left = std::any_of(draft_.begin(), draft_.end(), [&](const DraftBody& draft) {
+        return draft.ball == ball.element;
+      });
+      if (is_left) split_ball(ball, placed);
+    }
   }
 
   /// A body below a draft: welded to it, or carried by a chain of its joints.
@@ -342,7 +355,10 @@ class MjcfReader {
     for (const Placed& placed : held) {
       if (placed.element->name == "body") read_body(placed, seen);
       if (placed.element->name != "geom") continue;
-      auto shape = colliding_shape(placed, attribute(body, "name"), context_);
+      Placed paired = placed;
+      const Element geom = as_paired(*placed.element, pairs_);
+      paired.element = &geom;
+      auto shape = colliding_shape(paired, attribute(body, "name"), meshes_, context_);
       if (!shape) continue;
       shape->p_m = seen.p_m + seen.R * shape->p_m;
       shape->R = seen.R * shape->R;
@@ -385,11 +401,14 @@ class MjcfReader {
   MjcfCompiler compiler_;
   MjcfDefaults defaults_;
   MjcfContext context_{compiler_, defaults_, vocabulary_, faults_};
+  MjcfMeshes meshes_;
+  const MjcfPairs pairs_{contact_pairs(root_)};
   Imported imported_;
   std::vector<DraftBody> draft_;
   MjcfLandmarks landmarks_;
   std::set<std::string> made_up_;
   std::set<std::string> split_balls_;
+  std::vector<std::pair<MjcfJoint, Placed>> balls_;  ///< Of a file with loops.
   bool has_gravity_ = true;
   bool has_loops_ = false;
 };

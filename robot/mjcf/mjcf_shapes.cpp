@@ -54,26 +54,34 @@ std::optional<PrimitiveSize> size_of(const Element& geom, const MjcfShape& shape
 }
 
 std::optional<DraftShape> colliding_shape(const Placed& placed, const std::string& body,
-                                          const MjcfContext& context) {
+                                          const MjcfMeshes& meshes, const MjcfContext& context) {
   const Element geom = context.defaults.completed(*placed.element, placed.childclass);
   Faults& faults = context.faults;
   const auto kind = shape_of(attribute(geom, "type"));
+  const auto mesh =
+      attribute(geom, "type") == "mesh" ? meshes.find(attribute(geom, "mesh")) : meshes.end();
   const bool has_sizes =
-      find_attribute(geom, "mesh") == nullptr && find_attribute(geom, "size") != nullptr;
-  if (!kind || !has_sizes) return std::nullopt;
+      kind && find_attribute(geom, "mesh") == nullptr && find_attribute(geom, "size") != nullptr;
+  if (!has_sizes && mesh == meshes.end()) return std::nullopt;
   if (faults.number(geom, "contype", 1) == 0 && faults.number(geom, "conaffinity", 1) == 0) {
     return std::nullopt;
   }
-  Placed pose = placed;
-  const auto size_m = size_of(geom, *kind, pose, context);
-  if (!size_m) return std::nullopt;
   DraftShape shape;
+  const char* ending = "_mesh";
+  Placed pose = placed;
+  if (has_sizes) {
+    const auto size_m = size_of(geom, *kind, pose, context);
+    if (!size_m) return std::nullopt;
+    shape.primitive = kind->primitive;
+    shape.size_m = *size_m;
+    ending = kind->primitive == Primitive::kSphere ? "_ball" : "_shape";
+  } else {
+    pose = pose_of(pose, geom, context);
+    shape.mesh = mesh->second;
+  }
   shape.name = attribute(geom, "name");
   shape.link = body;
-  const char* ending = kind->primitive == Primitive::kSphere ? "_ball" : "_shape";
   if (is_blank(shape.name)) shape.name = (is_blank(body) ? "body" : body) + ending;
-  shape.primitive = kind->primitive;
-  shape.size_m = *size_m;
   shape.p_m = pose.p_m;
   shape.R = pose.R;
   const auto friction = faults.numbers(geom, "friction", 1, 3);

@@ -6,6 +6,7 @@
 
 #include "robot/draft/draft.hpp"
 #include "robot/mjcf/mjcf_context.hpp"
+#include "robot/mjcf/mjcf_meshes.hpp"
 
 namespace torquewright::hopper {
 
@@ -24,8 +25,8 @@ std::optional<PrimitiveSize> size_of(const Element& geom, const MjcfShape& shape
                                      const MjcfContext& context);
 
 /// What a geom may touch the ground with, in the frame of its body; nothing where it collides with
-/// nothing or is a mesh, a plane or a field of heights.
+/// nothing or is a plane, a field of heights or a mesh that is none of these.
 std::optional<DraftShape> colliding_shape(const Placed& placed, const std::string& body,
-                                          const MjcfContext& context);
+                                          const MjcfMeshes& meshes, const MjcfContext& context);
 
 }  // namespace torquewright::hopper

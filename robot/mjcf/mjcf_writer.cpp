@@ -106,7 +106,8 @@ Exported mjcf_of(const Robot& robot, const MjcfParts& parts) {
   if (parts.actuators) leave_to_drives(robot, looped.robot.tree);
   dynamics::Tree tree = tree_with_rotors(looped.robot, exported.notes);
   add_passive_notes(robot, true, exported.notes);
-  add_common_notes(robot, {!parts.collisions, !parts.actuators}, exported.notes);
+  add_common_notes(robot, {!parts.collisions, !parts.actuators, !parts.closed_loops},
+                   exported.notes);
   add_notes_of_parts(robot, parts, exported.notes);
   if (parts.ground && !looped.pins.empty()) {
     exported.notes.emplace_back("of keyframes only the one with all joints at zero is held");

@@ -55,7 +55,7 @@ class MechanismReader {
         find_name(types, keys["type"], "mechanism", {file_, path + "/type", ""}, faults_);
     if (!index) return;
     const MechanismType& type = *mechanism_types()[*index];
-    const std::size_t needed = type.joints;
+    const std::size_t needed = type.joints > 0 ? type.joints : keys["joints"].size();
     for (const char* key : {"joints", "actuators"}) {
       if (keys[key].size() == needed) continue;
       report(fmt::format("{}/{}", path, key),

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "actuator/region/torque_at.hpp"
+#include "robot/mechanisms/loop.hpp"
 
 namespace torquewright::hopper {
 
@@ -23,6 +24,18 @@ std::optional<std::size_t> Robot::find_joint(const std::string& joint_name) cons
     if (tree.bodies[i].joint.name == joint_name) return i;
   }
   return std::nullopt;
+}
+
+double Robot::links_kg() const {
+  double sum_kg = 0;
+  for (const Drivetrain& drivetrain : drivetrains) {
+    const auto* loop = dynamic_cast<const Loop*>(drivetrain.mechanism.get());
+    if (loop == nullptr) continue;
+    for (const dynamics::Body& body : loop->geometry().tree.bodies) {
+      sum_kg += body.inertia.mass_kg;
+    }
+  }
+  return sum_kg;
 }
 
 bool Robot::states_rotor(std::size_t body, const dynamics::Joint& joint) const {

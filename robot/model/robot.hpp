@@ -53,6 +53,7 @@ struct Drivetrain {
   std::vector<double> cranks_kg_m2;
   std::optional<dynamics::BodyPoint> mount;  ///< Where its actuators' mass sits, if stated.
   std::optional<TransmissionLimit> transmission_limit;  ///< Of each of its actuators.
+  bool is_of_limits = false;  ///< Made of what its joint states, for its document names no drive.
 };
 
 /// Rotor and gears at an actuator's output: as stated, else N^2 J of the actuator.
@@ -78,6 +79,8 @@ struct Robot {
   /// Whether reflected inertia of the joint that carries the body is known: some, or stated as
   /// none.
   bool states_rotor(std::size_t body, const dynamics::Joint& joint) const;
+  /// What the links of its loops weigh, which are none of the tree's bodies.
+  double links_kg() const;
 };
 
 }  // namespace torquewright::hopper

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/model/robot_json.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "robot/mechanisms/library_spec.hpp"
-#include "robot/model/passive_keys.hpp"
-#include "robot/model/rotations.hpp"
+#include "robot/parts/body_keys.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -16,11 +14,6 @@ using dynamics::JointKind;
 using nlohmann::ordered_json;
 
 ordered_json list_of(const Eigen::Vector3d& v) { return {v[0], v[1], v[2]}; }
-
-void add_pose(ordered_json& keys, const Eigen::Vector3d& p_m, const Eigen::Matrix3d& R) {
-  if (!p_m.isZero(0)) keys["position_m"] = list_of(p_m);
-  if (!R.isIdentity(0)) keys["rotation_rpy_rad"] = list_of(rpy_of_rotation(R));
-}
 
 ordered_json base_json(const dynamics::Tree& tree) {
   ordered_json keys;
@@ -37,12 +30,7 @@ ordered_json base_json(const dynamics::Tree& tree) {
 ordered_json body_json(const dynamics::Body& body) {
   ordered_json keys;
   keys["name"] = body.name;
-  if (!(body.inertia.mass_kg > 0)) return keys;
-  const Eigen::Matrix3d& I = body.inertia.inertia_kg_m2;
-  keys["mass_kg"] = body.inertia.mass_kg;
-  keys["center_of_mass_m"] = list_of(body.inertia.center_of_mass_m);
-  keys["inertia_kg_m2"] = {{"xx", I(0, 0)}, {"yy", I(1, 1)}, {"zz", I(2, 2)},
-                           {"xy", I(0, 1)}, {"xz", I(0, 2)}, {"yz", I(1, 2)}};
+  add_inertia(keys, body.inertia);
   return keys;
 }
 
@@ -56,24 +44,7 @@ ordered_json joint_json(const Robot& robot, std::size_t index) {
   keys["type"] = turns ? "revolute" : "prismatic";
   keys["parent"] = parent;
   keys["child"] = body.name;
-  add_pose(keys, joint.p_PB_m, joint.R_PB);
-  keys["axis"] = list_of(joint.axis);
-  const dynamics::JointLimits& limits = joint.limits;
-  if (std::isfinite(limits.position_min) && std::isfinite(limits.position_max)) {
-    keys[turns ? "range_rad" : "range_m"] = {limits.position_min, limits.position_max};
-  }
-  if (std::isfinite(limits.speed_max)) {
-    keys[turns ? "speed_limit_rad_s" : "speed_limit_m_s"] = limits.speed_max;
-  }
-  if (std::isfinite(limits.effort_max)) {
-    keys[turns ? "torque_limit_Nm" : "force_limit_N"] = limits.effort_max;
-  }
-  if (limits.owns_speed) keys["own_limits"].push_back("speed");
-  if (limits.owns_effort) keys["own_limits"].push_back("torque");
-  for (const PassiveKey& key : kPassiveKeys) {
-    const double value = joint.passive.*key.value;
-    if (value != 0) keys[turns ? key.of_revolute : key.of_prismatic] = value;
-  }
+  add_joint(keys, joint);
   // A joint that states an inertia takes none from its actuators: zero is not said of one unasked.
   if (robot.states_rotor(index, joint)) {
     keys[turns ? "reflected_inertia_kg_m2" : "reflected_mass_kg"] = joint.reflected_inertia;

@@ -10,55 +10,18 @@
 #include "io/text/one_line.hpp"
 #include "robot/find_name.hpp"
 #include "robot/model/mechanism_spec.hpp"
-#include "robot/model/passive_keys.hpp"
-#include "robot/model/plausible_inertia.hpp"
 #include "robot/model/posture_spec.hpp"
-#include "robot/model/rotations.hpp"
 #include "robot/model/tree_order.hpp"
+#include "robot/parts/body_keys.hpp"
+#include "robot/parts/plausible_inertia.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
 using dynamics::BaseKind;
-using dynamics::JointKind;
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
 using nlohmann::json;
 
-constexpr double kNoDirection = 1e-6;
 constexpr std::array kInertiaKeys{"mass_kg", "center_of_mass_m", "inertia_kg_m2"};
-constexpr std::array kRevoluteKeys{"range_rad", "speed_limit_rad_s", "torque_limit_Nm",
-                                   "reflected_inertia_kg_m2"};
-constexpr std::array kPrismaticKeys{"range_m", "speed_limit_m_s", "force_limit_N",
-                                    "reflected_mass_kg"};
-
-dynamics::PassiveForces passive_of(const json& joint, bool turns) {
-  dynamics::PassiveForces passive;
-  for (const PassiveKey& key : kPassiveKeys) {
-    passive.*key.value = joint.value(turns ? key.of_revolute : key.of_prismatic, 0.0);
-  }
-  return passive;
-}
-
-Vector3d vector_of(const json& keys, const char* key) {
-  if (!keys.contains(key)) return Vector3d::Zero();
-  const json& list = keys[key];
-  return {list[0].get<double>(), list[1].get<double>(), list[2].get<double>()};
-}
-
-Matrix3d rotation_of(const json& keys) {
-  return rotation_of_rpy(vector_of(keys, "rotation_rpy_rad"));
-}
-
-Matrix3d inertia_of(const json& value) {
-  if (value.is_number()) return value.get<double>() * Matrix3d::Identity();
-  const auto at = [&](const char* key) { return value.value(key, 0.0); };
-  Matrix3d inertia;
-  inertia << at("xx"), at("xy"), at("xz"), at("xy"), at("yy"), at("yz"), at("xz"), at("yz"),
-      at("zz");
-  return inertia;
-}
-
 /// Reads the keys of one document; faults gather until all of it is read.
 class RobotReader {
  public:
@@ -159,7 +122,7 @@ class RobotReader {
       report(path + "/mass_kg", "missing: only a body that carries another may have no mass");
     }
     if (!body.contains("inertia_kg_m2")) return;
-    if (const auto objection = inertia_objection(inertia_of(body["inertia_kg_m2"]))) {
+    if (const auto objection = inertia_objection(inertia_of(body).inertia_kg_m2)) {
       report(path + "/inertia_kg_m2", *objection);
     }
   }
@@ -174,57 +137,24 @@ class RobotReader {
   const json& joint_at(const Ends& ends) const { return root().at(json::json_pointer(ends.path)); }
 
   void check_joint(const Ends& ends) {
-    const json& joint = joint_at(ends);
-    if (vector_of(joint, "axis").norm() < kNoDirection) {
-      report(ends.path + "/axis", "has no direction");
+    for (JointObjection& objection : joint_objections(joint_at(ends))) {
+      report(fmt::format("{}/{}", ends.path, objection.key), std::move(objection.message));
     }
-    const bool turns = joint["type"] == "revolute";
-    for (const char* key : turns ? kPrismaticKeys : kRevoluteKeys) {
-      if (joint.contains(key)) report_other_kind(ends, key, turns);
-    }
-    for (const PassiveKey& key : kPassiveKeys) {
-      const char* name = turns ? key.of_prismatic : key.of_revolute;
-      if (joint.contains(name)) report_other_kind(ends, name, turns);
-    }
-    check_friction(ends, joint, turns);
-    const char* range = turns ? "range_rad" : "range_m";
-    if (joint.contains(range) && !(joint[range][0] < joint[range][1])) {
-      report(fmt::format("{}/{}", ends.path, range),
-             fmt::format("{} is not below {}: least position first", joint[range][0].dump(),
-                         joint[range][1].dump()));
-    }
-  }
-
-  void report_other_kind(const Ends& ends, const char* key, bool turns) {
-    report(fmt::format("{}/{}", ends.path, key),
-           fmt::format("is for {} joints", turns ? "prismatic" : "revolute"));
-  }
-
-  void check_friction(const Ends& ends, const json& joint, bool turns) {
-    const dynamics::PassiveForces passive = passive_of(joint, turns);
-    const char* key = turns ? "static_friction_Nm" : "static_friction_N";
-    if (!joint.contains(key) || passive.static_friction >= passive.dry_friction) return;
-    report(fmt::format("{}/{}", ends.path, key),
-           fmt::format("{:g} is less than the joint's dry friction of {:g}, which holds at rest "
-                       "too; state as much or leave it out",
-                       passive.static_friction, passive.dry_friction));
   }
 
   void add_body(const Place& place) {
     const json& keys = root()["bodies"][place.body];
     dynamics::Body body;
     body.name = body_names_[place.body];
-    body.inertia.mass_kg = keys.value("mass_kg", 0.0);
-    body.inertia.center_of_mass_m = vector_of(keys, "center_of_mass_m");
-    if (keys.contains("inertia_kg_m2"))
-      body.inertia.inertia_kg_m2 = inertia_of(keys["inertia_kg_m2"]);
+    body.inertia = inertia_of(keys);
     if (place.joint == nullptr) {
       body.joint.p_PB_m = vector_of(root()["base"], "position_m");
       body.joint.R_PB = rotation_of(root()["base"]);
     } else {
       body.parent = *tree_index(place.joint->parent);
-      body.joint = joint_of(*place.joint);
       const json& joint = joint_at(*place.joint);
+      body.joint = joint_of(joint);
+      body.joint.name = place.joint->joint;
       const bool states_rotor =
           joint.contains("reflected_inertia_kg_m2") || joint.contains("reflected_mass_kg");
       if (states_rotor && body.joint.reflected_inertia == 0) {
@@ -240,36 +170,6 @@ class RobotReader {
       if (bodies[i].name == body_names_[body]) return i;
     }
     return std::nullopt;
-  }
-
-  dynamics::Joint joint_of(const Ends& ends) const {
-    const json& keys = joint_at(ends);
-    const bool turns = keys["type"] == "revolute";
-    dynamics::Joint joint;
-    joint.name = ends.joint;
-    joint.kind = turns ? JointKind::kRevolute : JointKind::kPrismatic;
-    joint.p_PB_m = vector_of(keys, "position_m");
-    joint.R_PB = rotation_of(keys);
-    const Vector3d axis = vector_of(keys, "axis");
-    if (axis.norm() >= kNoDirection) joint.axis = axis.normalized();
-    joint.rotor_spin_kg_m2 = vector_of(keys, "rotor_spin_kg_m2");
-    joint.reflected_inertia =
-        keys.value(turns ? "reflected_inertia_kg_m2" : "reflected_mass_kg", 0.0);
-    joint.passive = passive_of(keys, turns);
-    dynamics::JointLimits& limits = joint.limits;
-    const char* range = turns ? "range_rad" : "range_m";
-    // What is no range was reported.
-    if (keys.contains(range) && keys[range][0] < keys[range][1]) {
-      limits.position_min = keys[range][0];
-      limits.position_max = keys[range][1];
-    }
-    limits.speed_max =
-        keys.value(turns ? "speed_limit_rad_s" : "speed_limit_m_s", limits.speed_max);
-    limits.effort_max = keys.value(turns ? "torque_limit_Nm" : "force_limit_N", limits.effort_max);
-    for (const std::string own : keys.value("own_limits", json::array())) {
-      (own == "speed" ? limits.owns_speed : limits.owns_effort) = true;
-    }
-    return joint;
   }
 
   void read_contacts() {

@@ -44,6 +44,15 @@ double in_front_of_gears_kg_m2(const Robot& robot, const Drivetrain& drivetrain,
   return std::max(0.0, all_kg_m2 - actuator.transmission.inertia_kg_m2);
 }
 
+std::vector<HeldLoop> loops_of(const Robot& robot) {
+  std::vector<HeldLoop> loops;
+  for (const Drivetrain& drivetrain : robot.drivetrains) {
+    const auto* loop = dynamic_cast<const Loop*>(drivetrain.mechanism.get());
+    if (loop != nullptr) loops.push_back({loop, drivetrain.joints});
+  }
+  return loops;
+}
+
 }  // namespace
 
 bool rotors_stay_in_tree(const Drivetrain& drivetrain) {
@@ -58,10 +67,17 @@ double rotor_in_tree_kg_m2(const Robot& robot, const Drivetrain& drivetrain) {
 }
 
 template <typename T>
-WholeBodyOf<T>::WholeBodyOf(const Robot& robot) : robot_(&robot), state_(without_rotors(robot)) {
+WholeBodyOf<T>::WholeBodyOf(const Robot& robot)
+    : robot_(&robot),
+      state_(without_rotors(robot)),
+      linked_(state_.tree(), loops_of(robot)),
+      followed_(linked_.loops().size()) {
   for (std::size_t i = 0; i < robot.drivetrains.size(); ++i) {
     const Drivetrain& drivetrain = robot.drivetrains[i];
     first_drive_.push_back(rotors_kg_m2_.size());
+    for (const HeldLoop& held : linked_.loops()) {
+      if (held.loop == drivetrain.mechanism.get()) linked_drivetrains_.push_back(i);
+    }
     for (std::size_t j = 0; j < drivetrain.actuators.size(); ++j) {
       rotors_kg_m2_.push_back(rotor_kg_m2(robot, drivetrain, j));
       before_gears_kg_m2_.push_back(in_front_of_gears_kg_m2(robot, drivetrain, j));
@@ -84,13 +100,32 @@ bool WholeBodyOf<T>::set(const VectorInOf<T>& position, const VectorInOf<T>& vel
       joint_rad[j] = position[position.size() - joints + body - 1];
       joint_rad_s[j] = velocity[velocity.size() - joints + body - 1];
     }
-    const auto transfer = transfer_of<T>(*drivetrain.mechanism, joint_rad, joint_rad_s);
-    if (!transfer) {
-      unreached_ = i;
-      return false;
+    unreached_ = i;
+    if (std::count(linked_drivetrains_.begin(), linked_drivetrains_.end(), i) > 0) {
+      if (!set_loop(i, joint_rad, joint_rad_s)) return false;
+      continue;
     }
+    const auto transfer = transfer_of<T>(*drivetrain.mechanism, joint_rad, joint_rad_s);
+    if (!transfer) return false;
     transfers_[i] = *transfer;
   }
+  if (!linked_.is_empty()) linked_.set(position, velocity, followed_);
+  return true;
+}
+
+/// Its links move on the way to its actuators: they are followed once.
+template <typename T>
+bool WholeBodyOf<T>::set_loop(std::size_t drivetrain, const SmallVectorOf<T>& joint_rad,
+                              const SmallVectorOf<T>& joint_rad_s) {
+  const auto place = std::find(linked_drivetrains_.begin(), linked_drivetrains_.end(), drivetrain);
+  const auto index = static_cast<std::size_t>(place - linked_drivetrains_.begin());
+  const Loop& loop = *linked_.loops()[index].loop;
+  auto followed = loop.follow<T>(joint_rad, joint_rad_s);
+  if (!followed) return false;
+  const auto transfer = loop.transfer_of_followed<T>(*followed);
+  if (!transfer) return false;
+  followed_[index] = std::move(*followed);
+  transfers_[drivetrain] = *transfer;
   return true;
 }
 
@@ -115,7 +150,11 @@ SmallVectorOf<T> WholeBodyOf<T>::accelerations(std::size_t drivetrain,
 
 template <typename T>
 void WholeBodyOf<T>::mass_matrix(dynamics::MatrixOutOf<T> out) {
-  dynamics::mass_matrix(state_, out);
+  if (linked_.is_empty()) {
+    dynamics::mass_matrix(state_, out);
+  } else {
+    linked_.mass_matrix(out);
+  }
   add_rotor_inertia(out);
 }
 
@@ -142,9 +181,30 @@ void WholeBodyOf<T>::add_rotor_inertia(dynamics::MatrixOutOf<T> out) const {
 
 template <typename T>
 void WholeBodyOf<T>::inverse_dynamics(const VectorInOf<T>& acceleration, VectorOutOf<T> force) {
-  dynamics::inverse_dynamics(state_, acceleration, force);
+  body_forces(acceleration, force);
   add_rotors(acceleration, force);
-  dynamics::add_dampers_and_springs(state_, force);
+  add_dampers_and_springs(force);
+}
+
+/// The tree's own state has the bodies' accelerations afterwards, whether or not there are links.
+template <typename T>
+void WholeBodyOf<T>::body_forces(const VectorInOf<T>& acceleration, VectorOutOf<T> force) {
+  dynamics::inverse_dynamics(state_, acceleration, force);
+  if (!linked_.is_empty()) linked_.inverse_dynamics(acceleration, force);
+}
+
+template <typename T>
+void WholeBodyOf<T>::add_dampers_and_springs(VectorOutOf<T> force) const {
+  if (linked_.is_empty()) {
+    dynamics::add_dampers_and_springs(state_, force);
+  } else {
+    linked_.add_dampers_and_springs(force);
+  }
+}
+
+template <typename T>
+dynamics::Centroid WholeBodyOf<T>::centroid() requires std::same_as<T, double> {
+  return dynamics::centroid(linked_.is_empty() ? state_ : linked_.state());
 }
 
 template <typename T>
@@ -279,6 +339,9 @@ template WholeBodyOf<dynamics::Jet>::WholeBodyOf(const Robot&);
 template bool WholeBodyOf<dynamics::Jet>::set(const VectorInOf<dynamics::Jet>&,
                                               const VectorInOf<dynamics::Jet>&);
 template void WholeBodyOf<dynamics::Jet>::mass_matrix(dynamics::MatrixOutOf<dynamics::Jet>);
+template void WholeBodyOf<dynamics::Jet>::body_forces(const VectorInOf<dynamics::Jet>&,
+                                                      VectorOutOf<dynamics::Jet>);
+template void WholeBodyOf<dynamics::Jet>::add_dampers_and_springs(VectorOutOf<dynamics::Jet>) const;
 template void WholeBodyOf<dynamics::Jet>::inverse_dynamics(const VectorInOf<dynamics::Jet>&,
                                                            VectorOutOf<dynamics::Jet>);
 template void WholeBodyOf<dynamics::Jet>::add_rotors(const VectorInOf<dynamics::Jet>&,
@@ -289,6 +352,10 @@ template WholeBodyOf<dynamics::Jet2>::WholeBodyOf(const Robot&);
 template bool WholeBodyOf<dynamics::Jet2>::set(const VectorInOf<dynamics::Jet2>&,
                                                const VectorInOf<dynamics::Jet2>&);
 template void WholeBodyOf<dynamics::Jet2>::mass_matrix(dynamics::MatrixOutOf<dynamics::Jet2>);
+template void WholeBodyOf<dynamics::Jet2>::body_forces(const VectorInOf<dynamics::Jet2>&,
+                                                       VectorOutOf<dynamics::Jet2>);
+template void WholeBodyOf<dynamics::Jet2>::add_dampers_and_springs(
+    VectorOutOf<dynamics::Jet2>) const;
 template void WholeBodyOf<dynamics::Jet2>::inverse_dynamics(const VectorInOf<dynamics::Jet2>&,
                                                             VectorOutOf<dynamics::Jet2>);
 template void WholeBodyOf<dynamics::Jet2>::add_rotors(const VectorInOf<dynamics::Jet2>&,

@@ -4,7 +4,9 @@
 #include <concepts>
 #include <vector>
 
+#include "dynamics/momentum.hpp"
 #include "dynamics/tree_state.hpp"
+#include "robot/mechanisms/linked_bodies.hpp"
 #include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
@@ -55,7 +57,7 @@ class WholeBodyOf {
   /// Returns the index of the drivetrain whose mechanism did not reach the posture last set.
   std::size_t unreached() const { return unreached_; }
 
-  /// Its reflected inertias are those of no rotor of a drivetrain.
+  /// Its reflected inertias are those of no rotor of a drivetrain. Links of loops are not in it.
   dynamics::TreeStateOf<T>& state() { return state_; }
   const dynamics::TreeStateOf<T>& state() const { return state_; }
   const Robot& robot() const { return *robot_; }
@@ -74,6 +76,13 @@ class WholeBodyOf {
   /// friction; per velocity, as dynamics::inverse_dynamics(); eq. (2).
   void inverse_dynamics(const dynamics::VectorInOf<T>& acceleration,
                         dynamics::VectorOutOf<T> force);
+  /// The part of them that moves bodies, links of loops among them: without rotors, dampers and
+  /// springs.
+  void body_forces(const dynamics::VectorInOf<T>& acceleration, dynamics::VectorOutOf<T> force);
+  /// Adds what dampers and springs take, those in loops among them.
+  void add_dampers_and_springs(dynamics::VectorOutOf<T> force) const;
+  /// Mass, momentum and inertia of all bodies, links of loops among them.
+  dynamics::Centroid centroid() requires std::same_as<T, double>;
   /// Adds what rotors take for an acceleration, at the joints: A^T I (A a + A' v).
   void add_rotors(const dynamics::VectorInOf<T>& acceleration,
                   dynamics::VectorOutOf<T> force) const;
@@ -98,6 +107,8 @@ class WholeBodyOf {
                      dynamics::VectorOut at_actuators) const requires std::same_as<T, double>;
 
  private:
+  bool set_loop(std::size_t drivetrain, const SmallVectorOf<T>& joint_rad,
+                const SmallVectorOf<T>& joint_rad_s);
   SmallVectorOf<T> joints_of(const Drivetrain& drivetrain,
                              const dynamics::VectorInOf<T>& values) const;
   SmallVectorOf<T> accelerations(std::size_t drivetrain,
@@ -116,6 +127,9 @@ class WholeBodyOf {
 
   const Robot* robot_;
   dynamics::TreeStateOf<T> state_;
+  LinkedBodiesOf<T> linked_;
+  std::vector<std::size_t> linked_drivetrains_;  ///< By loop of it.
+  std::vector<FollowedOf<T>> followed_;
   std::vector<std::size_t> first_drive_;  ///< By drivetrain.
   std::vector<double> rotors_kg_m2_;      ///< By drive, at its output.
   std::vector<double> before_gears_kg_m2_;

@@ -6,6 +6,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 #include "robot/xml/vocabulary.hpp"
 
@@ -22,6 +23,9 @@ void UrdfLimits::read(const Element& limit, bool has_range, DraftBody& draft) {
   if (has_range) read_range(limit, draft);
   const double effort = bound(limit, "effort");
   const double speed = bound(limit, "velocity");
+  const std::string& joint = draft.body.joint.name;
+  if (effort == 0 && find_attribute(limit, "effort") != nullptr) without_effort_.push_back(joint);
+  if (speed == 0 && find_attribute(limit, "velocity") != nullptr) without_speed_.push_back(joint);
   if (effort > 0) draft.body.joint.limits.effort_max = effort;
   if (speed > 0) draft.body.joint.limits.speed_max = speed;
 }
@@ -74,6 +78,12 @@ void UrdfLimits::weld(bool is_stated, DraftBody& draft) {
 
 std::vector<std::string> UrdfLimits::notes() const {
   std::vector<std::string> notes = welded_;
+  for (const auto& [word, joints] :
+       {std::pair{"effort", &without_effort_}, {"velocity", &without_speed_}}) {
+    if (joints->empty()) continue;
+    notes.push_back(fmt::format("{}=\"0\" is read as not known, of {} joint{}: {}", word,
+                                joints->size(), joints->size() == 1 ? "" : "s", listed(*joints)));
+  }
   if (freed_.empty()) return notes;
   notes.push_back(
       fmt::format("joints without a range, for their lower and upper limits are left out or zero, "

@@ -21,7 +21,7 @@ class UrdfLimits {
   /// type have one.
   void read(const Element& limit, bool has_range, DraftBody& draft);
 
-  /// Which joints were welded or freed, in sentences.
+  /// Which joints were welded or freed, or state limits of 0, in sentences.
   std::vector<std::string> notes() const;
 
  private:
@@ -31,8 +31,9 @@ class UrdfLimits {
 
   bool welds_locked_;
   Faults* faults_;
-  std::vector<std::string> welded_;  ///< Sentences.
-  std::vector<std::string> freed_;   ///< Names.
+  std::vector<std::string> welded_;                          ///< Sentences.
+  std::vector<std::string> freed_;                           ///< Names, as the following.
+  std::vector<std::string> without_effort_, without_speed_;  ///< That state it as 0.
 };
 
 }  // namespace torquewright::hopper

@@ -14,7 +14,7 @@
 #include "dynamics/rigid_inertia.hpp"
 #include "robot/draft/finish.hpp"
 #include "robot/draft/mended_inertia.hpp"
-#include "robot/model/rotations.hpp"
+#include "robot/parts/rotations.hpp"
 #include "robot/urdf/gazebo_words.hpp"
 #include "robot/urdf/urdf_limits.hpp"
 #include "robot/urdf/urdf_shapes.hpp"

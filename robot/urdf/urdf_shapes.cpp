@@ -2,9 +2,13 @@
 // Fields: as in urdf_reader.cpp; <capsule> is read by Drake, Bullet and Isaac.
 #include "robot/urdf/urdf_shapes.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <optional>
+#include <string_view>
+#include <system_error>
 
-#include "robot/model/rotations.hpp"
+#include "robot/parts/rotations.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -16,9 +20,33 @@ PrimitiveSize round_size(const Element& shape, Faults& faults) {
   return {faults.number(shape, "radius", 0), 0.5 * faults.number(shape, "length", 0), 0};
 }
 
-/// Kind and size; nothing of a mesh.
+/// "package://NAME/PLACE" is looked for as NAME/PLACE and as PLACE, from the file's folder upwards.
+std::filesystem::path mesh_file(std::string name, const std::filesystem::path& folder) {
+  constexpr std::string_view kPackage = "package://", kFile = "file://";
+  if (name.starts_with(kFile)) return name.substr(kFile.size());
+  if (!name.starts_with(kPackage)) return folder / name;
+  name.erase(0, kPackage.size());
+  const std::string place = name.substr(std::min(name.size(), name.find('/') + 1));
+  std::error_code unknown;
+  for (std::filesystem::path at = std::filesystem::absolute(folder);; at = at.parent_path()) {
+    for (const std::string& tried : {name, place}) {
+      if (std::filesystem::is_regular_file(at / tried, unknown)) return at / tried;
+    }
+    if (!at.has_relative_path()) return folder / place;
+  }
+}
+
+/// Kind and size; of a mesh its file.
 std::optional<DraftShape> shape_in(const Element& geometry, Faults& faults) {
   DraftShape shape;
+  if (const Element* mesh = child(geometry, "mesh")) {
+    const std::string name = attribute(*mesh, "filename");
+    if (name.empty()) return std::nullopt;
+    const auto folder = std::filesystem::path(*mesh->file).parent_path();
+    shape.mesh =
+        DraftMesh{mesh_file(name, folder), faults.vector(*mesh, "scale", Vector3d::Ones())};
+    return shape;
+  }
   if (const Element* sphere = child(geometry, "sphere")) {
     shape.size_m[0] = faults.number(*sphere, "radius", 0);
     return shape.size_m[0] > 0 ? std::optional(shape) : std::nullopt;

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "robot/draft/rotors_in_joints.hpp"
-#include "robot/model/rotations.hpp"
+#include "robot/parts/rotations.hpp"
 #include "robot/xml/xml_text.hpp"
 
 namespace torquewright::hopper {

@@ -58,6 +58,10 @@ void add_common_notes(const Robot& robot, const LeftOut& left_out,
     notes.push_back(
         fmt::format("{} mechanisms and their actuators are not held", robot.drivetrains.size()));
   }
+  if (const double links_kg = robot.links_kg(); left_out.links && links_kg > 0) {
+    notes.push_back(fmt::format(
+        "links of loops, {:.4g} kg, are left out: MJCF with --closed-loops holds them", links_kg));
+  }
 }
 
 }  // namespace torquewright::hopper

@@ -29,6 +29,7 @@ void write_notes(tinyxml2::XMLPrinter& out, const std::vector<std::string>& note
 struct LeftOut {
   bool contacts = true;
   bool drives = true;
+  bool links = true;  ///< Those of loops.
 };
 
 /// Adds what a file does not hold of the joints' passive forces.

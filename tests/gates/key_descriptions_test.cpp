@@ -172,7 +172,7 @@ const std::vector<LeftOut> kLeftOut = {
      "of a prismatic joint"},
     {R"(robot: /joints/\*/(damping_N_s_m|.*_friction_N|stiffness_N_m|spring_rest_m))",
      "of a prismatic joint"},
-    {R"(robot: /mechanisms/\*/(branch|c(oupler|rank).*|ground.*|jacobian|lever.*|rocker.*|rod.*|transmission_angle.*))",
+    {R"(robot: /mechanisms/\*/(branch|c(losures|oupler|rank).*|ground.*|jacobian|lever.*|links.*|rocker.*|rod.*|transmission_angle.*|turned))",
      "of mechanisms that are not direct"},
     {R"(robot: /mechanisms/\*/reflected_inertia_kg_m2)", "the example's joint states it"},
     {R"(robot: /mechanisms/\*/transmission_limit/strength)", "in place of the torque"},

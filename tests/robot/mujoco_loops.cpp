@@ -108,6 +108,26 @@ MatrixXd MujocoLoops::mass_matrix() {
   return N.transpose() * mujoco_.mass_matrix() * N;
 }
 
+/// N' by central differences: 1e-5 s along the motion leave 1e-10 of its third derivative.
+VectorXd MujocoLoops::inverse_dynamics(const VectorXd& velocity, const VectorXd& acceleration) {
+  constexpr double kStep_s = 1e-5;
+  const VectorXd here = q_;
+  const MatrixXd N = closed_motions();
+  const VectorXd speeds = N * velocity;
+  const auto motions_at = [&](double step_s) {
+    VectorXd q = here;
+    mj_integratePos(&mujoco_.model(), q.data(), speeds.data(), step_s);
+    set(q);
+    return closed_motions();
+  };
+  const VectorXd bent = (motions_at(kStep_s) - motions_at(-kStep_s)) * velocity / (2 * kStep_s);
+  q_ = here;
+  mujoco_.set(here, speeds);
+  const Eigen::Map<const VectorXd> passive(mujoco_.data().qfrc_passive, mujoco_.nv());
+  const VectorXd all = mujoco_.mass_matrix() * (N * acceleration + bent) + mujoco_.bias() - passive;
+  return N.transpose() * all;
+}
+
 void MujocoLoops::weigh_nothing(const std::string& body) {
   mjModel& model = mujoco_.model();
   const int id = mj_name2id(&model, mjOBJ_BODY, body.c_str());

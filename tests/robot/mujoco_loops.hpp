@@ -24,6 +24,10 @@ class MujocoLoops {
   Eigen::RowVectorXd ratios(const std::string& joint);
   /// Over the robot's velocities, ours order; loops closed.
   Eigen::MatrixXd mass_matrix();
+  /// Forces over the robot's velocities that move it so while its loops stay closed, dampers and
+  /// springs among them: N^T (M (N a + N' v) + bias - passive).
+  Eigen::VectorXd inverse_dynamics(const Eigen::VectorXd& velocity,
+                                   const Eigen::VectorXd& acceleration);
   void weigh_nothing(const std::string& body);
   double total_mass_kg() { return mj_getTotalmass(&mujoco_.model()); }
 

@@ -9,7 +9,7 @@
 #include "robot/mjcf/mjcf_writer.hpp"
 #include "robot/model/robot_json.hpp"
 #include "robot/model/robot_spec.hpp"
-#include "robot/model/rotations.hpp"
+#include "robot/parts/rotations.hpp"
 #include "robot/urdf/urdf_reader.hpp"
 #include "tests/io/scratch_folder.hpp"
 #include "tests/robot/same_robot.hpp"

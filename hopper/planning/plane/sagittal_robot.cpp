@@ -247,6 +247,17 @@ void require_mirrored(const Robot& robot, const SagittalRobot& plane) {
   }
 }
 
+/// A plan's dynamics are those of the tree's bodies.
+void require_light_links(const Robot& robot) {
+  const double links_kg = robot.links_kg();
+  if (links_kg == 0) return;
+  refuse(robot, fmt::format("links of its loops weigh {:.4g} kg, which a plan does not hold yet "
+                            "(hopper check and hopper replay do); robot import --link-error gives "
+                            "the mass of cranks and rods to their neighbours where a mechanism of "
+                            "closed form stands for them",
+                            links_kg));
+}
+
 /// Forces out of the plane that a motion in it would need, over those in it.
 void require_plane(const Robot& robot, const SagittalRobot& plane) {
   dynamics::TreeState state(robot.tree);
@@ -385,6 +396,7 @@ SagittalRobot sagittal(const Robot& robot) {
   find_joints(robot, pose, out);
   if (out.joints.empty()) refuse(robot, "no joint moves it in its sagittal plane");
   require_mass_in_plane(robot, pose, out.mass_kg);
+  require_light_links(robot);
   require_mirrored(robot, out);
   if (robot.tree.base == dynamics::BaseKind::kSpatial) require_plane(robot, out);
   out.robot = robot;

@@ -18,6 +18,7 @@
 #include "io/text/one_line.hpp"
 #include "robot/draft/limit_drives.hpp"
 #include "robot/draft/own_lines.hpp"
+#include "robot/loops/crank_rotors.hpp"
 #include "robot/mjcf/mjcf_reader.hpp"
 #include "robot/model/robot_json.hpp"
 #include "robot/model/robot_spec.hpp"
@@ -48,6 +49,7 @@ void refuse_options_of_mjcf(const ImportOptions& options) {
                                          {"--drop-base-armature", reading.drops_base_armature},
                                          {"--free-couplings", reading.frees_couplings},
                                          {"--link-error", options.link_error.has_value()},
+                                         {"--open-loop", !reading.opened_loops.empty()},
                                          {"--massless-links", reading.drops_link_mass}}) {
     if (is_given)
       io::refuse(option, "is for MJCF files: a URDF file holds nothing that it concerns");
@@ -113,12 +115,15 @@ void name_actuators(const ImportOptions& options, hopper::Robot& robot) {
 
 /// The robot's document. What a file says may still be no robot (inertias that no body has): such a
 /// document is refused. Files that it names are beside where it will be.
-std::string compute(const ImportOptions& options, const hopper::Imported& imported) {
+std::string compute(const ImportOptions& options, hopper::Imported& imported) {
   std::string text = io::json_text(hopper::robot_json(imported.robot));
   const bool has_files = !imported.robot.drivetrains.empty();
   try {
-    (void)hopper::robot_of(io::check_document(
+    const hopper::ReadRobot read = hopper::robot_of(io::check_document(
         as_read(text), "robot", has_files ? place_of(options).string() : options.file, ""));
+    for (std::string& sentence : hopper::rotors_that_differ(read.robot)) {
+      imported.notes.push_back(std::move(sentence));
+    }
   } catch (const io::SpecError& error) {
     throw hopper::at_own_lines(error, imported);
   }
@@ -132,8 +137,7 @@ std::vector<io::FileContent> add_drives(const ImportOptions& options, hopper::Im
   const hopper::LimitDrives made = hopper::limit_drives(imported.robot);
   if (made.assignments.empty()) {
     io::refuse("--actuators",
-               "no joint of the robot states limits of both torque and speed, of "
-               "which a drive could be made");
+               "no joint of the robot states a limit of torque, of which a drive could be made");
   }
   const std::filesystem::path folder = std::filesystem::absolute(options.drive_folder);
   const std::filesystem::path seen =
@@ -216,6 +220,12 @@ void add_import_command(command_line::Command& robot) {
                   "and rods goes to their neighbours")
       .otherwise(fmt::format("{:g}", hopper::ImportFileOptions().greatest_link_error))
       .between(0, 1);
+  command
+      .add_option("--open-loop", options->reading.opened_loops,
+                  "NAME: leave out a <connect> of that name, or one that joins a body or site of "
+                  "it: nothing closes that loop then")
+      .otherwise("none")
+      .one_value_each();
   command.add_flag("--massless-links", options->reading.drops_link_mass,
                    "Leave out what cranks and rods of linkages weigh");
   command

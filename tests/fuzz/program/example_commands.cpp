@@ -92,6 +92,7 @@ policy import specs/policy/trained_elsewhere.onnx --observations gravity_x,gravi
 policy import specs/policy/trained_elsewhere.onnx --like specs/policy/upright.json --node actions --observations a,b,c,d,e,f,g --actions knee_target_rad,ankle_target_rad
 robot import specs/robot/rabbit.urdf -o rabbit.json
 robot import tests/fuzz/corpus/hopper.xml --format mjcf --free-couplings --mend-inertias --drop-base-armature
+robot import tests/fuzz/corpus/looped.xml -o opened.json --open-loop knee_rod --actuator ankle_left=specs/actuator/d110a_ankle.json --actuator ankle_right=specs/actuator/d110a_ankle.json --massless-links
 robot import tests/fuzz/corpus/looped.xml -o looped.json --actuator knee=specs/actuator/d151_knee.json --actuator ankle_left=specs/actuator/d110a_ankle.json --actuator ankle_right=specs/actuator/d110a_ankle.json --massless-links --link-error 0.1
 robot export specs/robot/hopper.json --format mjcf --actuators --ground --collisions --closed-loops -o hopper.xml
 robot attach specs/robot/planar_leg.json knee=specs/actuator/d151_knee.json -o leg.json

@@ -6,7 +6,7 @@
 #include <Eigen/Eigenvalues>
 #include <functional>
 
-#include "robot/model/plausible_inertia.hpp"
+#include "robot/parts/plausible_inertia.hpp"
 #include "tests/hopper/replay/kolmogorov.hpp"
 #include "tests/hopper/replay/randomised_hopper.hpp"
 

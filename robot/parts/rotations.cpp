@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot/model/rotations.hpp"
+#include "robot/parts/rotations.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "robot/model/plausible_inertia.hpp"
+#include "robot/parts/plausible_inertia.hpp"
 
 #include <fmt/format.h>
 

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "robot/mechanisms/loop.hpp"
+
+namespace torquewright::hopper {
+
+/// A loop of a robot, and the bodies of its tree that the loop's own joints carry.
+struct HeldLoop {
+  const Loop* loop = nullptr;
+  std::vector<std::size_t> joints;
+};
+
+/// A robot's bodies together with the links of its loops, which move as its own joints say: with N,
+/// the speeds of all joints over the robot's own, M = N^T M_all N and f = N^T f_all(N a + N' v).
+/// docs/derivations/mechanisms.md eq. (16). Vectors per velocity of the robot's own tree.
+template <typename T>
+class LinkedBodiesOf {
+ public:
+  /// Loops without weight, friction or springs are left out: is_empty() where all are.
+  LinkedBodiesOf(const dynamics::Tree& tree, std::vector<HeldLoop> loops);
+
+  bool is_empty() const { return loops_.empty(); }
+  const std::vector<HeldLoop>& loops() const { return loops_; }
+  /// `followed` by loop.
+  void set(const dynamics::VectorInOf<T>& position, const dynamics::VectorInOf<T>& velocity,
+           const std::vector<FollowedOf<T>>& followed);
+  /// (n x n)
+  void mass_matrix(dynamics::MatrixOutOf<T> out);
+  void inverse_dynamics(const dynamics::VectorInOf<T>& acceleration,
+                        dynamics::VectorOutOf<T> force);
+  /// Of all joints, the robot's own too.
+  void add_dampers_and_springs(dynamics::VectorOutOf<T> force) const;
+  /// All bodies as they stand and move.
+  dynamics::TreeStateOf<T>& state() { return state_; }
+
+ private:
+  std::vector<HeldLoop> loops_;
+  std::vector<Eigen::Index> first_row_;  ///< Of each loop's links.
+  dynamics::TreeStateOf<T> state_;
+  Eigen::Index size_;  ///< Velocities of the robot's own.
+  Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic> motions_;
+  dynamics::VectorX<T> bent_;  ///< N' v
+};
+
+}  // namespace torquewright::hopper
