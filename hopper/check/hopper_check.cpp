@@ -52,6 +52,14 @@ double guide_mismatch(const CheckedMotion& checked) {
   return file_N > 0.0 ? apart_N / file_N : 0.0;
 }
 
+std::vector<std::string> driven_by_limits(const Robot& robot) {
+  std::vector<std::string> joints;
+  for (const Drivetrain& drivetrain : robot.drivetrains) {
+    if (drivetrain.is_of_limits) joints.push_back(drivetrain.actuator_names.front());
+  }
+  return joints;
+}
+
 /// How contacts and rates came about, and what of the dynamics is missing.
 std::vector<Finding> origin_notes(const CheckedMotion& checked) {
   std::vector<Finding> findings;
@@ -80,6 +88,12 @@ std::vector<Finding> origin_notes(const CheckedMotion& checked) {
   if (checked.robot.drivetrains.empty()) {
     note("no-drives", Severity::kWarning,
          "the robot states no mechanisms: there is no actuator to hold the motion against");
+  }
+  if (const auto limited = driven_by_limits(checked.robot); !limited.empty()) {
+    note("no-drives", Severity::kNote,
+         fmt::format("no mechanism drives {}: their own limits of torque and speed stand for "
+                     "drives, no winding, no heat",
+                     io::listed(limited)));
   }
   if (motion.velocity_origin == Origin::kDerived) {
     note("velocity-differentiated", Severity::kNote,

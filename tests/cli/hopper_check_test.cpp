@@ -530,6 +530,20 @@ TEST_F(HopperCheck, RefusesVelocitiesThatAreNone) {
   EXPECT_EQ(check(crane(), motion, {"--column", "time_s=time:ms"}).exit_code, 0);
 }
 
+// An extreme of either sort: an arm of 1 kg needs some 5 Nm.
+TEST_F(HopperCheck, HoldsJointsWithoutDrivesToWhatTheyState) {
+  json limited = crane();
+  limited.erase("mechanisms");
+  limited["joints"][0]["torque_limit_Nm"] = 500;
+  limited["joints"][0]["speed_limit_rad_s"] = 100;
+  const Outcome passes = check(limited, swing(0));
+  EXPECT_EQ(passes.exit_code, 0) << passes.out << passes.err;
+  EXPECT_NE(passes.out.find("no mechanism drives elbow: their own limits"), std::string::npos)
+      << passes.out;
+  limited["joints"][0]["torque_limit_Nm"] = 0.5;
+  EXPECT_EQ(check(limited, swing(0)).exit_code, 1);
+}
+
 TEST_F(HopperCheck, RefusesRobotsThatAreNone) {
   json thin = crane();
   thin["bodies"][1]["inertia_kg_m2"] = {{"xx", 1}, {"yy", 0.1}, {"zz", 0.1}};

@@ -9,6 +9,7 @@
 
 #include "io/faults/refusal.hpp"
 #include "io/text/wording.hpp"
+#include "robot/draft/limit_drives.hpp"
 #include "src/report/parts/progress_line.hpp"
 
 namespace torquewright::cli {
@@ -106,6 +107,7 @@ HopperCheckRead read_inputs(const HopperCheckRequest& request) {
   HopperCheckRead read;
   HopperCheckInputs& inputs = read.inputs;
   inputs.robot = hopper::read_robot(request.robot_file);
+  hopper::drive_by_limits(inputs.robot.robot);
   const hopper::MotionFile source = motion_file(request);
   inputs.columns = source.documents;
   inputs.check = check_options(request, inputs.robot);
