@@ -91,4 +91,5 @@ def main():
     print(f"\nauto over the best of the three modes: {total_auto / sum(least.values()):.3f}")
 
 
-main()
+if __name__ == "__main__":
+    main()

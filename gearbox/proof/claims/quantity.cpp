@@ -63,11 +63,18 @@ std::optional<Rational> exact_value(const Quantity& quantity, const Alternative&
   }
 }
 
-Interval span(std::int64_t least, std::int64_t most) { return Interval(whole(least), whole(most)); }
+template <typename Number = Interval>
+Number span(std::int64_t least, std::int64_t most) {
+  return hull(number<Number>(least), number<Number>(most));
+}
 
-Interval paper_cost_on(const Alternative& alternative, const TeethRange& range) {
+template <typename Number>
+Number paper_cost_on(const Alternative& alternative, const TeethRange& range) {
   const auto& [least, most] = range;
-  const Interval gap = span(ring(least, 1), ring(most, 1)) - Interval(bore_teeth(alternative));
+  const auto span = [](std::int64_t low, std::int64_t high) {
+    return proof::span<Number>(low, high);
+  };
+  const Number gap = span(ring(least, 1), ring(most, 1)) - Number(bore_teeth(alternative));
   return 1 / square(span(least.sun, most.sun)) + square(gap) +
          square(span(least.planet_1, most.planet_1)) + square(span(least.planet_2, most.planet_2)) +
          square(span(ring(least, 2), ring(most, 2)));
@@ -102,18 +109,42 @@ Interval contact_ratio_on(const Alternative& alternative, const TeethRange& rang
 }
 
 /// i = 2 (P1/d) (1 + (P1 + P2)/S): both factors fall with S and d and grow with P1; P1 > d.
-Interval ratio_on(const Alternative& alternative, const Box& box) {
+template <typename Number>
+Number ratio_on(const Alternative& alternative, const Box& box) {
   const TeethRange range = teeth_in(box);
   const auto& [least, most] = range;
+  const auto of = [](std::int64_t value) { return number<Number>(value); };
   if (!alternative.train->is_stepped()) {
-    return 2 * (1 + hull(number(least.planet_1) / number(most.sun),
-                         number(most.planet_1) / number(least.sun)));
+    return 2 * (1 + hull(of(least.planet_1) / of(most.sun), of(most.planet_1) / of(least.sun)));
   }
-  const Interval low = max(number(least.planet_1) / number(box.upper[2]), 1) *
-                       (1 + number(least.planet_1 + least.planet_2) / number(most.sun));
-  const Interval high = number(most.planet_1) / number(box.lower[2]) *
-                        (1 + number(most.planet_1 + most.planet_2) / number(least.sun));
+  const Number low = max(of(least.planet_1) / of(box.upper[2]), 1) *
+                     (1 + of(least.planet_1 + least.planet_2) / of(most.sun));
+  const Number high = of(most.planet_1) / of(box.lower[2]) *
+                      (1 + of(most.planet_1 + most.planet_2) / of(least.sun));
   return 2 * hull(low, high);
+}
+
+/// Quantities that need neither angles nor fractions, in either arithmetic; empty for others.
+template <typename Number>
+std::optional<Number> smooth_enclosure_on(const Quantity& quantity, const Alternative& alternative,
+                                          const Box& box, const Number& allowed_ratio) {
+  const auto ratio = [&] {
+    return intersection(allowed_ratio, ratio_on<Number>(alternative, box));
+  };
+  switch (quantity.measure) {
+    case Measure::kPaperCost:
+      return paper_cost_on<Number>(alternative, teeth_in(box));
+    case Measure::kMass:
+      return total_mass_kg<Number>(alternative, teeth_in(box));
+    case Measure::kForwardEfficiency:
+      return forward_efficiency<Number>(alternative, box, ratio());
+    case Measure::kBackwardEfficiency:
+      return backward_efficiency<Number>(alternative, box, ratio());
+    case Measure::kReflectedInertia:
+      return reflected_inertia_kg_m2<Number>(alternative, teeth_in(box), ratio());
+    default:
+      return std::nullopt;
+  }
 }
 
 }  // namespace
@@ -153,19 +184,11 @@ Quantity objective_quantity(Objective objective) {
 
 Interval enclosure_on(const Quantity& quantity, const Alternative& alternative, const Box& box,
                       const Interval& allowed_ratio) {
+  if (const auto found = smooth_enclosure_on(quantity, alternative, box, allowed_ratio)) {
+    return *found;
+  }
   const TeethRange range = teeth_in(box);
-  const Interval ratio = intersection(allowed_ratio, ratio_on(alternative, box));
   switch (quantity.measure) {
-    case Measure::kPaperCost:
-      return paper_cost_on(alternative, range);
-    case Measure::kMass:
-      return total_mass_kg(alternative, range);
-    case Measure::kForwardEfficiency:
-      return forward_efficiency(alternative, box, ratio);
-    case Measure::kBackwardEfficiency:
-      return backward_efficiency(alternative, box, ratio);
-    case Measure::kReflectedInertia:
-      return reflected_inertia_kg_m2(alternative, range, ratio);
     case Measure::kCarrierClearance:
       return carrier_clearance_on(alternative, range);
     case Measure::kContactRatio:
@@ -173,16 +196,20 @@ Interval enclosure_on(const Quantity& quantity, const Alternative& alternative, 
     case Measure::kNeighbourClearance:
       return neighbour_clearance_on(alternative, box);
     case Measure::kRatioError:
-      return abs(ratio_on(alternative, box) / Interval(alternative.problem->target_ratio) - 1);
-    case Measure::kHollowShaft:
-    case Measure::kTeeth:
-    case Measure::kRingPitchDiameter:
-    case Measure::kRingBlankDiameter:
+      return abs(
+          ratio_on<Interval>(alternative, box) / Interval(alternative.problem->target_ratio) - 1);
+    default:
       break;
   }
   // Grow with every gear they depend on.
   return Interval(*exact_value(quantity, alternative, range.least),
                   *exact_value(quantity, alternative, range.most));
+}
+
+std::optional<RoughInterval> rough_enclosure_on(const Quantity& quantity,
+                                                const Alternative& alternative, const Box& box,
+                                                const RoughInterval& allowed_ratio) {
+  return smooth_enclosure_on(quantity, alternative, box, allowed_ratio);
 }
 
 Value value_at(const Quantity& quantity, const Alternative& alternative, const Point& point) {

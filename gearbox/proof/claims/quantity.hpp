@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "gearbox/proof/gears/ratio_condition.hpp"
+#include "gearbox/proof/gears/rough_interval.hpp"
 
 namespace torquewright::gearbox::proof {
 
@@ -48,6 +49,11 @@ Value value_at(const Quantity& quantity, const Alternative& alternative, const P
 /// (which matters to efficiencies and inertia only). The box holds some.
 Interval enclosure_on(const Quantity& quantity, const Alternative& alternative, const Box& box,
                       const Interval& allowed_ratio);
+
+/// The same in doubles, which is quick, of objectives; empty for what is exact or needs angles.
+std::optional<RoughInterval> rough_enclosure_on(const Quantity& quantity,
+                                                const Alternative& alternative, const Box& box,
+                                                const RoughInterval& allowed_ratio);
 
 /// What counts as equal to a value that is no fraction: a millionth of a millionth of it.
 Interval equality_margin(const Value& value);

@@ -6,6 +6,7 @@
 #include "gearbox/proof/gears/interference.hpp"
 #include "gearbox/proof/gears/ratio_condition.hpp"
 #include "gearbox/proof/gears/root_form.hpp"
+#include "gearbox/proof/gears/tooth_path.hpp"
 
 namespace torquewright::gearbox::proof {
 namespace {

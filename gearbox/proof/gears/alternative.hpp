@@ -25,9 +25,10 @@ struct Alternative {
   Rational largest_ring;                 ///< D/m, or the claim's ring limit; teeth.
   Rational ring_space_mm;  ///< What blanks have to fit into: stated, or the rotor's bore.
   Rational ring_wall_mm;
-  Rational hollow_shaft_wall_mm;  ///< Stated, or a rim as thick as a ring's wall.
-  Interval sine;                  ///< sin(pi/n)
-  std::int64_t least_fed_ring;    ///< Where a shaper's teeth are stated, else 0.
+  Rational hollow_shaft_wall_mm;              ///< Stated, or a rim as thick as a ring's wall.
+  std::array<Interval, 2> areal_mass_kg_mm2;  ///< rho pi/4 b of each layer: times diameter squared.
+  Interval sine;                              ///< sin(pi/n)
+  std::int64_t least_fed_ring;                ///< Where a shaper's teeth are stated, else 0.
 };
 
 /// Teeth of the free gears. In a train of one layer planet_2 is planet_1 once more, and plays no

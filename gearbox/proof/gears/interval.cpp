@@ -84,6 +84,10 @@ Interval Interval::upper() const {
   return result;
 }
 
+double Interval::least_double() const { return mpfr_get_d(&value_->left, MPFR_RNDD); }
+
+double Interval::greatest_double() const { return mpfr_get_d(&value_->right, MPFR_RNDU); }
+
 Interval sqrt(const Interval& x) {
   Interval result;
   mpfi_sqrt(result.value_, x.value_);

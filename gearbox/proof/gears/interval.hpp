@@ -47,6 +47,9 @@ class Interval {
   Interval lower() const;  ///< Its left end.
   Interval upper() const;  ///< Its right end.
 
+  double least_double() const;     ///< The greatest double that is no greater than its left end.
+  double greatest_double() const;  ///< The least double that is no less than its right end.
+
   friend Interval sqrt(const Interval& x);
   friend Interval square(const Interval& x);
   friend Interval abs(const Interval& x);
@@ -67,7 +70,10 @@ class Interval {
 
 /// Tooth counts, as a fraction and as an interval.
 inline Rational whole(std::int64_t value) { return Rational(static_cast<long>(value)); }
-inline Interval number(std::int64_t value) { return Interval(static_cast<long>(value)); }
+template <typename Number = Interval>
+Number number(std::int64_t value) {
+  return Number(static_cast<long>(value));
+}
 
 Interval sqrt(const Interval& x);
 Interval square(const Interval& x);

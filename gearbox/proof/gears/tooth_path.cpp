@@ -18,9 +18,24 @@ const Profile& profile() {
   return value;
 }
 
+/// What paths need of it.
+template <typename Number>
+struct PathConstants {
+  Number cosine = profile().cosine;
+  Number tangent = profile().tangent;
+  Number whole_turn = 2 * pi();
+};
+
+template <typename Number>
+const PathConstants<Number>& constants() {
+  static const PathConstants<Number> value;
+  return value;
+}
+
 /// tan of the pressure angle at a circle of `tip` half modules; cos = teeth cos(alpha) / tip.
-Interval tip_tangent(std::int64_t teeth, std::int64_t tip) {
-  const Interval secant = number(tip) / (number(teeth) * profile().cosine);
+template <typename Number>
+Number tip_tangent(std::int64_t teeth, std::int64_t tip) {
+  const Number secant = number<Number>(tip) / (number<Number>(teeth) * constants<Number>().cosine);
   return sqrt(square(secant) - 1);
 }
 
@@ -41,27 +56,39 @@ Interval ring_tip_angle(std::int64_t teeth) {
   return acos(number(teeth) * profile().cosine / number(teeth - 2));
 }
 
-Interval external_path(std::int64_t teeth) {
-  return number(teeth) * (tip_tangent(teeth, teeth + 2) - profile().tangent) / (2 * pi());
+template <typename Number>
+Number external_path(std::int64_t teeth) {
+  const auto& [cosine, tangent, whole_turn] = constants<Number>();
+  return number<Number>(teeth) * (tip_tangent<Number>(teeth, teeth + 2) - tangent) / whole_turn;
 }
 
-Interval ring_path(std::int64_t teeth) {
-  const Interval tip = teeth <= kMostTeethInsideBase ? Interval(0) : tip_tangent(teeth, teeth - 2);
-  return number(teeth) * (profile().tangent - tip) / (2 * pi());
+template <typename Number>
+Number ring_path(std::int64_t teeth) {
+  const auto& [cosine, tangent, whole_turn] = constants<Number>();
+  const Number tip =
+      teeth <= kMostTeethInsideBase ? Number(0) : tip_tangent<Number>(teeth, teeth - 2);
+  return number<Number>(teeth) * (tangent - tip) / whole_turn;
 }
 
-Interval external_path(std::int64_t fewest, std::int64_t most) {
-  if (fewest == most) return external_path(fewest);
-  return hull(external_path(fewest), external_path(most));
+template <typename Number>
+Number external_path(std::int64_t fewest, std::int64_t most) {
+  if (fewest == most) return external_path<Number>(fewest);
+  return hull(external_path<Number>(fewest), external_path<Number>(most));
 }
 
-Interval ring_path(std::int64_t fewest, std::int64_t most) {
-  if (fewest == most) return ring_path(fewest);
-  Interval range = hull(ring_path(fewest), ring_path(most));
+template <typename Number>
+Number ring_path(std::int64_t fewest, std::int64_t most) {
+  if (fewest == most) return ring_path<Number>(fewest);
+  Number range = hull(ring_path<Number>(fewest), ring_path<Number>(most));
   for (const std::int64_t peak : {kMostTeethInsideBase, kMostTeethInsideBase + 1}) {
-    if (fewest < peak && peak < most) range = hull(range, ring_path(peak));
+    if (fewest < peak && peak < most) range = hull(range, ring_path<Number>(peak));
   }
   return range;
 }
+
+template Interval external_path<Interval>(std::int64_t, std::int64_t);
+template Interval ring_path<Interval>(std::int64_t, std::int64_t);
+template RoughInterval external_path<RoughInterval>(std::int64_t, std::int64_t);
+template RoughInterval ring_path<RoughInterval>(std::int64_t, std::int64_t);
 
 }  // namespace torquewright::gearbox::proof

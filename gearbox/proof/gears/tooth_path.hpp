@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gearbox/proof/gears/alternative.hpp"
+#include "gearbox/proof/gears/rough_interval.hpp"
 
 namespace torquewright::gearbox::proof {
 
@@ -21,13 +21,18 @@ Interval external_tip_angle(std::int64_t teeth);
 Interval ring_tip_angle(std::int64_t teeth);
 
 /// Length of the path of contact beyond the pitch point that a gear's tip allows, in base pitches.
-Interval external_path(std::int64_t teeth);
-Interval ring_path(std::int64_t teeth);
+/// `Number` is Interval or RoughInterval.
+template <typename Number>
+Number external_path(std::int64_t teeth);
+template <typename Number>
+Number ring_path(std::int64_t teeth);
 
 /// An enclosure of that path for all tooth counts of a range, tight: external paths grow with the
 /// teeth, (de/dz > 0 because 4/cos^2 alpha > 0), ring paths fall from 34 teeth on and grow up to
 /// 33.
-Interval external_path(std::int64_t fewest, std::int64_t most);
-Interval ring_path(std::int64_t fewest, std::int64_t most);
+template <typename Number>
+Number external_path(std::int64_t fewest, std::int64_t most);
+template <typename Number>
+Number ring_path(std::int64_t fewest, std::int64_t most);
 
 }  // namespace torquewright::gearbox::proof

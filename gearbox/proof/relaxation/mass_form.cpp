@@ -23,8 +23,9 @@ Line line_through(Mass mass, std::int64_t z) {
   return {mass(z) - slope * Interval(static_cast<long>(z)), slope};
 }
 
-Line sun_line(const Alternative& alternative, std::int64_t least_sun) {
-  const auto mass = [&](std::int64_t z) { return sun_body(alternative, z).mass_kg; };
+Line sun_line(const Alternative& alternative, const Bodies<Interval>& bodies,
+              std::int64_t least_sun) {
+  const auto mass = [&](std::int64_t z) { return bodies.sun(z).mass_kg; };
   if (is_annulus(alternative, least_sun)) return line_through(mass, least_sun);
   return {mass(least_sun), 0};
 }
@@ -33,14 +34,15 @@ Line sun_line(const Alternative& alternative, std::int64_t least_sun) {
 
 Linearization mass_form(const Alternative& alternative, const Interval& threshold, const Box& box,
                         const RealPoint& point) {
-  const Line sun = sun_line(alternative, box.lower[0]);
+  const Bodies<Interval> bodies(alternative);
+  const Line sun = sun_line(alternative, bodies, box.lower[0]);
   Linearization result = affine(point, threshold - sun.constant, {-sun.slope, 0, 0});
   const Interval count(static_cast<long>(alternative.planet_count));
   for (int layer = 1; layer <= alternative.train->layers(); ++layer) {
-    const auto mass = [&](std::int64_t z) { return ring_body(alternative, z, layer).mass_kg; };
+    const auto mass = [&](std::int64_t z) { return bodies.ring_body(z, layer).mass_kg; };
     const Line rings = line_through(mass, 0);
     result += ring_form(-rings.slope, -rings.constant, layer, point);
-    const Interval discs = count * planet_disc(alternative, 1, layer).mass_kg;
+    const Interval discs = count * bodies.planet_disc(1, layer).mass_kg;
     result += negative_square(point, discs, 0, {0, 1, layer == 1 ? 0 : -1});
   }
   return result;

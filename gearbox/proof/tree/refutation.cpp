@@ -76,6 +76,34 @@ bool has_greater_ratio_error(const Claim& claim, const Alternative& alternative,
          falls_short_everywhere(target - reach, alternative, box);
 }
 
+/// Whether the quantity is worse than `reference` by more than `margin` at every design of the box,
+/// in doubles. Empty: they are no help, or leave it open at a point or by so little that more bits
+/// may tell.
+std::optional<bool> falls_short_in_doubles(const Quantity& quantity, const Alternative& alternative,
+                                           const Box& box, const RoughInterval& reference,
+                                           const RoughInterval& margin) {
+  const RoughInterval allowed(alternative.least_ratio, alternative.greatest_ratio);
+  const auto enclosure = rough_enclosure_on(quantity, alternative, box, allowed);
+  if (!enclosure) return std::nullopt;
+  const RoughInterval advantage =
+      (quantity.greater_is_better() ? *enclosure - reference : reference - *enclosure) + margin;
+  if (advantage.certainly_negative()) return true;
+  if (box.is_point()) return std::nullopt;
+  // Some hundred roundings of 2^-53 widen it by less than this.
+  static const RoughInterval share(Rational(1, 1'000'000'000));
+  const RoughInterval roughness = share * (abs(reference) + abs(*enclosure)).upper();
+  if ((advantage - roughness).certainly_negative()) return std::nullopt;
+  return false;
+}
+
+std::optional<bool> is_worse_in_doubles(const Claim& claim, const Alternative& alternative,
+                                        const Box& box) {
+  static const RoughInterval equal_share(Rational(1, 1'000'000'000'000));
+  const RoughInterval threshold = claim.threshold->enclosure;
+  return falls_short_in_doubles(*claim.quantity, alternative, box, threshold,
+                                abs(threshold) * equal_share);
+}
+
 bool is_worse_everywhere(const Claim& claim, const Alternative& alternative, const Box& box) {
   const Quantity& quantity = *claim.quantity;
   if (alternative.train->is_stepped() && teeth_in(box).is_empty()) return true;  // holds no design
@@ -83,6 +111,7 @@ bool is_worse_everywhere(const Claim& claim, const Alternative& alternative, con
     return has_greater_ratio_error(claim, alternative, box);
   }
   if (needs_ratio(quantity.measure) && violates_ratio(claim, alternative, box)) return true;
+  if (const auto is_worse = is_worse_in_doubles(claim, alternative, box)) return *is_worse;
   if (box.is_point()) {
     return compare(quantity, value_at(quantity, alternative, box.lower), *claim.threshold) < 0;
   }
@@ -165,6 +194,9 @@ bool respects_bound(const Claim& claim, const Alternative& alternative, const Ra
   const Interval margin = Interval(abs(bound)) * Interval(Rational(1, 1'000'000'000'000));
   return settled_in_pieces(box, 4 * kMostPieces, budget, [&](const Box& piece) {
     if (is_refuted_by_a_hypothesis(claim, alternative, piece)) return true;
+    const auto is_beyond =
+        falls_short_in_doubles(quantity, alternative, piece, Interval(bound), margin);
+    if (is_beyond) return *is_beyond;
     const Interval excess =
         enclosure_on(quantity, alternative, piece, ratio_interval(alternative)) - Interval(bound);
     return quantity.greater_is_better() ? (excess - margin).certainly_negative()
@@ -173,6 +205,13 @@ bool respects_bound(const Claim& claim, const Alternative& alternative, const Ra
 }
 
 bool allows(const Claim& claim, const Alternative& alternative, const Point& point) {
+  // Quick, and most points of a leaf are worse: what holds no design, or has another ratio, may be
+  // called worse as well, for it violates a hypothesis.
+  const Box only{point, point};
+  const bool is_design = !alternative.train->is_stepped() || !teeth_in(only).is_empty();
+  if (claim.threshold && is_design && is_worse_in_doubles(claim, alternative, only) == true) {
+    return true;
+  }
   if (violates_a_hypothesis(claim, alternative, point)) return true;
   if (claim.threshold) {
     const int order =
