@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 #include <utility>
 
+#include "actuator/conditions/region_corners.hpp"
 #include "actuator/mor/mor_table.hpp"
 
 namespace torquewright::actuator {
@@ -16,6 +18,9 @@ constexpr double kPlaceAccuracy = 5e-4;  // of the table whose rows become place
 constexpr double kGridError = 1e-3;      // of the peak torque: what further conditions are for
 constexpr std::size_t kMostVoltages = 9;
 constexpr std::size_t kMostTemperatures = 5;
+constexpr double kCellError = 1e-2;  // of the peak torque: what still further ones are for, up to
+constexpr std::size_t kMostVoltagesForCells = 13;
+constexpr std::size_t kMostTemperaturesForCells = 7;
 constexpr double kLeastVoltage = 0.5;  // of the supply's, as the next
 constexpr double kGreatestVoltage = 1.2;
 constexpr double kFreezing_K = 273.15;
@@ -25,118 +30,16 @@ constexpr int kRangeHalvings = 7;   // until a range is known to about a hundred
 // is the worst of these, and what lies between them is not looked at.
 constexpr int kSpeedsCompared = 100;
 constexpr double kBeforeEnd = RegionGrid::kBeforeEnd;
-constexpr double kJumpShare = 1e-6;   // of the peak torque: no jump is smaller
 constexpr double kNearCorner = 1e-6;  // of a place: a row so near a whole one is left out
 constexpr double kNearPlace = 1e-3;   // no two rows are closer
 constexpr double kStraight = 1e-9;    // of the peak torque, off a line: rounding
 constexpr double kInsideEnd = 1e-9;   // of a speed: back into the region after rounding
-
-/// What stays the same from one corner to the next.
-struct Stretch {
-  Limiter limiter;
-  int sign;
-  friend bool operator==(const Stretch&, const Stretch&) = default;
-};
-
-struct Corners {
-  std::vector<double> speeds_rad_s;
-  std::vector<Stretch> stretches;  ///< One less: from each corner to the next.
-  std::size_t rest = 0;            ///< The corner at rest from below; the next is from above.
-};
-
-const JointBound& bound_of(const JointRange& range, bool is_greatest) {
-  return is_greatest ? range.greatest : range.least;
-}
-
-Stretch stretch_of(const JointRange& range, bool is_greatest) {
-  const JointBound& bound = bound_of(range, is_greatest);
-  return {bound.limiter, (bound.torque_Nm > 0.0) - (bound.torque_Nm < 0.0)};
-}
-
-/// From rest to rest: the jump between the two directions.
-constexpr Stretch kAtRest{Limiter::kCurrent, 2};
-/// From the last row on one side of a jump to the first on the other, which are as close as
-/// rounding allows.
-constexpr Stretch kJump{Limiter::kCurrent, 3};
-
-/// Rows of one direction from rest outward, up to where the region ends; nothing if it has a gap.
-std::optional<std::vector<MorRow>> outward(const MorTable& table, double direction) {
-  std::vector<MorRow> rows;
-  for (const MorRow& row : table.rows) {
-    if (row.speed_rad_s * direction >= 0.0) rows.push_back(row);
-  }
-  if (direction < 0.0) std::reverse(rows.begin(), rows.end());
-  // Of two rows at rest the one of the other direction stands last (below) or first (above).
-  while (rows.size() > 1 && rows[1].speed_rad_s == 0.0) rows.erase(rows.begin());
-  const auto is_empty = [](const MorRow& row) { return row.range.is_empty; };
-  const auto end = std::find_if(rows.begin(), rows.end(), is_empty);
-  if (!std::all_of(end, rows.end(), is_empty) || end - rows.begin() < 2) return std::nullopt;
-  rows.erase(end, rows.end());
-  return rows;
-}
-
-/// Of one direction, from rest outward, rest and end included.
-Corners half_corners(const std::vector<MorRow>& rows, bool is_greatest, double jump_Nm) {
-  Corners corners{{0.0}, {}, 0};
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    const Stretch here = stretch_of(rows[i - 1].range, is_greatest);
-    if (stretch_of(rows[i].range, is_greatest) == here) continue;
-    const double change_Nm = bound_of(rows[i].range, is_greatest).torque_Nm -
-                             bound_of(rows[i - 1].range, is_greatest).torque_Nm;
-    corners.speeds_rad_s.push_back(rows[i - 1].speed_rad_s);
-    corners.stretches.push_back(here);
-    if (std::abs(change_Nm) <= jump_Nm) continue;
-    corners.speeds_rad_s.push_back(rows[i].speed_rad_s);
-    corners.stretches.push_back(kJump);
-  }
-  corners.speeds_rad_s.push_back(rows.back().speed_rad_s);
-  corners.stretches.push_back(stretch_of(rows.back().range, is_greatest));
-  return corners;
-}
-
-std::optional<Corners> corners_of(const MorTable& table, bool is_greatest) {
-  const auto below = outward(table, -1.0);
-  const auto above = outward(table, 1.0);
-  if (!below || !above) return std::nullopt;
-  const double jump_Nm = kJumpShare * table.peak_torque_Nm;
-  const Corners negative = half_corners(*below, is_greatest, jump_Nm);
-  const Corners positive = half_corners(*above, is_greatest, jump_Nm);
-  Corners all;
-  all.speeds_rad_s.assign(negative.speeds_rad_s.rbegin(), negative.speeds_rad_s.rend());
-  all.speeds_rad_s.back() = 0.0;  // not -0
-  all.stretches.assign(negative.stretches.rbegin(), negative.stretches.rend());
-  all.rest = all.speeds_rad_s.size() - 1;
-  all.stretches.push_back(kAtRest);
-  all.speeds_rad_s.insert(all.speeds_rad_s.end(), positive.speeds_rad_s.begin(),
-                          positive.speeds_rad_s.end());
-  all.stretches.insert(all.stretches.end(), positive.stretches.begin(), positive.stretches.end());
-  return all;
-}
-
-/// The same corners with every stretch of the reference: one that is not there has no width.
-/// Nothing where the reference lacks one that is.
-std::optional<Corners> stretched(const Corners& found, const std::vector<Stretch>& reference) {
-  Corners all{{found.speeds_rad_s.front()}, reference, 0};
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < reference.size(); ++i) {
-    if (reference[i] == kAtRest) all.rest = i;
-    if (next < found.stretches.size() && found.stretches[next] == reference[i]) ++next;
-    all.speeds_rad_s.push_back(found.speeds_rad_s[next]);
-  }
-  if (next < found.stretches.size()) return std::nullopt;
-  return all;
-}
 
 /// Both bounds' corners under one condition.
 struct Outline {
   Corners least;
   Corners greatest;
 };
-
-/// Whether one's stretches are those of the other, or some of them.
-bool is_part_of(const Corners& one, const Corners& other) {
-  return stretched(one, other.stretches).has_value();
-}
 
 std::optional<Outline> outline_of(const MorTable& table) {
   auto least = corners_of(table, false);
@@ -179,18 +82,10 @@ void add_rows(const Corners& corners, const MorTable& table, std::vector<double>
   }
 }
 
-/// Every corner, and the rows of both tables between them.
-std::vector<double> places_of(const Corners& corners, const MorTable& table, const Corners& other,
-                              const MorTable& other_table) {
-  std::vector<double> rows;
-  add_rows(corners, table, rows);
-  if (&table != &other_table) {
-    add_rows(*stretched(other, corners.stretches), other_table, rows);
-  }
+/// Every corner of the reference, and the rows between them.
+std::vector<double> places_of(const std::vector<Stretch>& reference, std::vector<double> rows) {
   std::vector<double> places;
-  for (std::size_t i = 0; i < corners.speeds_rad_s.size(); ++i) {
-    places.push_back(static_cast<double>(i));
-  }
+  for (std::size_t i = 0; i <= reference.size(); ++i) places.push_back(static_cast<double>(i));
   std::sort(rows.begin(), rows.end());
   double last = 0.0;
   for (const double place : rows) {
@@ -297,9 +192,13 @@ double torque_at_place_Nm(const GridBound& bound, const GridCell& cell, double p
 /// Of one direction where the speed is 0 (-1, 1).
 double bound_Nm(const GridBound& bound, const GridCell& cell, double speed_rad_s,
                 double direction) {
+  // Several corners may lie at rest: stretches that the conditions do not have.
+  if (speed_rad_s == 0.0) {
+    const std::size_t corner = direction < 0.0 ? bound.rest_corner : bound.rest_corner + 1;
+    return torque_at_place_Nm(bound, cell, static_cast<double>(corner));
+  }
   const Mixed corner_rad_s(bound.corners_rad_s, cell);
-  double place = place_among(bound.corners_rad_s[0].size(), corner_rad_s, speed_rad_s);
-  if (speed_rad_s == 0.0 && direction < 0.0) place -= 1.0;  // across the corners at rest
+  const double place = place_among(bound.corners_rad_s[0].size(), corner_rad_s, speed_rad_s);
   return torque_at_place_Nm(bound, cell, place);
 }
 
@@ -331,7 +230,7 @@ class GridBuilder {
         temperature_K_(winding_temperature_K(actuator, conditions)) {}
 
   std::optional<RegionGrid> run() {
-    const std::optional<Start> here = start(voltage_V_, temperature_K_);
+    const std::optional<Start> here = start(voltage_V_, temperature_K_, kPlaceAccuracy);
     if (!here) return std::nullopt;
     peak_torque_Nm_ = here->table.peak_torque_Nm;
     choose_places(*here);
@@ -339,9 +238,10 @@ class GridBuilder {
     choose_voltages();
     refine(grid_.voltages_V, kMostVoltages, true);
     refine(grid_.temperatures_K, kMostTemperatures, false);
+    refine_cells();
     if (!fill(grid_)) return std::nullopt;
-    grid_.least.jumps = jumps_of(stretches_of_least_);
-    grid_.greatest.jumps = jumps_of(stretches_of_greatest_);
+    grid_.least.jumps = jumps_of(least_reference_.stretches);
+    grid_.greatest.jumps = jumps_of(greatest_reference_.stretches);
     thin(grid_.least, kStraight * peak_torque_Nm_);
     thin(grid_.greatest, kStraight * peak_torque_Nm_);
     measure();
@@ -351,17 +251,19 @@ class GridBuilder {
  private:
   /// A condition at which the grid may begin, or one of those at its far ends.
   struct Start {
+    double voltage_V;
+    double temperature_K;
     MorTable table;
     Outline outline;
   };
 
-  std::optional<Start> start(double voltage_V, double temperature_K) const {
+  std::optional<Start> start(double voltage_V, double temperature_K, double accuracy) const {
     const std::optional<Region> region = this->region(voltage_V, temperature_K);
     if (!region || region->at(0.0).is_empty) return std::nullopt;
-    MorTable table = mor_table(*region, kPlaceAccuracy);
+    MorTable table = mor_table(*region, accuracy);
     std::optional<Outline> outline = outline_of(table);
     if (!outline) return std::nullopt;
-    return Start{std::move(table), std::move(*outline)};
+    return Start{voltage_V, temperature_K, std::move(table), std::move(*outline)};
   }
 
   static std::vector<std::size_t> jumps_of(const std::vector<Stretch>& stretches) {
@@ -381,27 +283,91 @@ class GridBuilder {
     return is_warmed_ ? std::min(kFreezing_K, temperature_K_) : temperature_K_;
   }
 
-  /// The stretches of the first condition, or those of a far end of the grid that has more.
+  /// The stretches of all conditions that are looked at, and the rows of those that have the most.
   void choose_places(const Start& here) {
-    const Start* of_least = &here;
-    const Start* of_greatest = &here;
-    std::vector<Start> ends;
+    std::vector<Start> starts;
+    const auto look = [&](double share, double kelvin, double accuracy) {
+      std::optional<Start> found = start(share * voltage_V_, kelvin, accuracy);
+      if (found) starts.push_back(std::move(*found));
+    };
     for (const double share : {kLeastVoltage, kGreatestVoltage}) {
       for (const double kelvin : {cold_K(), temperature_K_, warm_K()}) {
-        std::optional<Start> end = start(share * voltage_V_, kelvin);
-        if (end) ends.push_back(std::move(*end));
+        look(share, kelvin, kPlaceAccuracy);
       }
     }
-    for (const Start& end : ends) {
-      if (is_part_of(of_least->outline.least, end.outline.least)) of_least = &end;
-      if (is_part_of(of_greatest->outline.greatest, end.outline.greatest)) of_greatest = &end;
+    const std::size_t far_ends = starts.size();
+    std::vector<double> kelvins{cold_K(), temperature_K_, 0.5 * (temperature_K_ + warm_K()),
+                                warm_K()};
+    kelvins.erase(std::unique(kelvins.begin(), kelvins.end()), kelvins.end());
+    for (const double share : {0.625, 0.75, 0.875, 1.0}) {
+      for (const double kelvin : kelvins) look(share, kelvin, kCornerAccuracy);
     }
-    stretches_of_least_ = of_least->outline.least.stretches;
-    stretches_of_greatest_ = of_greatest->outline.greatest.stretches;
-    grid_.least.places =
-        places_of(of_least->outline.least, of_least->table, here.outline.least, here.table);
-    grid_.greatest.places = places_of(of_greatest->outline.greatest, of_greatest->table,
-                                      here.outline.greatest, here.table);
+    choose_places(here, starts, far_ends, &Outline::least, least_reference_, grid_.least);
+    choose_places(here, starts, far_ends, &Outline::greatest, greatest_reference_, grid_.greatest);
+  }
+
+  /// The stretches that a bound may have, and where they lie under the conditions looked at.
+  struct Reference {
+    std::vector<Stretch> stretches;
+    std::vector<Example> examples;
+  };
+
+  void choose_places(const Start& here, const std::vector<Start>& starts, std::size_t far_ends,
+                     Corners Outline::*bound, Reference& reference, GridBound& grid_bound) {
+    const Start* richest = &here;
+    for (std::size_t i = 0; i < far_ends; ++i) {
+      const std::vector<Stretch>& most = (richest->outline.*bound).stretches;
+      if (is_part_of(most, (starts[i].outline.*bound).stretches)) richest = &starts[i];
+    }
+    reference.stretches = (richest->outline.*bound).stretches;
+    const auto take = [&](const Start& start) {
+      reference.stretches =
+          merged_about_rest(reference.stretches, (start.outline.*bound).stretches);
+    };
+    take(here);
+    for (const Start& start : starts) take(start);
+    std::vector<double> rows;
+    std::vector<bool> has_rows(reference.stretches.size(), false);
+    const auto add = [&](const Start& start, bool is_needed) {
+      const Corners corners = *stretched(start.outline.*bound, reference.stretches);
+      const std::vector<double>& w = corners.speeds_rad_s;
+      reference.examples.push_back({start.voltage_V, start.temperature_K, w});
+      for (std::size_t i = 0; i < has_rows.size(); ++i) {
+        is_needed = is_needed || (w[i + 1] > w[i] && !has_rows[i]);
+      }
+      if (!is_needed) return;
+      for (std::size_t i = 0; i < has_rows.size(); ++i) {
+        if (w[i + 1] > w[i]) has_rows[i] = true;
+      }
+      add_rows(corners, start.table, rows);
+    };
+    const auto rest = std::find(reference.stretches.begin(), reference.stretches.end(), kAtRest);
+    grid_bound.rest_corner = static_cast<std::size_t>(rest - reference.stretches.begin());
+    add(*richest, true);
+    if (richest != &here) add(here, true);
+    for (const Start& start : starts) {
+      if (&start != richest) add(start, false);
+    }
+    grid_bound.places = places_of(reference.stretches, std::move(rows));
+  }
+
+  /// The corners under that condition, with every stretch of the reference.
+  std::optional<Corners> placed(const Corners& found, const Reference& reference, double voltage_V,
+                                double temperature_K) const {
+    return stretched(found, reference.stretches, [&](std::size_t first, std::size_t last) {
+      std::optional<double> share;
+      double nearest = kUnlimited;
+      for (const Example& example : reference.examples) {
+        const double distance = std::hypot((example.voltage_V - voltage_V) / voltage_V_,
+                                           (example.temperature_K - temperature_K) / kFreezing_K);
+        if (distance >= nearest) continue;
+        const std::optional<double> here = opening(example, first, last);
+        if (!here) continue;
+        share = here;
+        nearest = distance;
+      }
+      return share;
+    });
   }
 
   struct Condition {
@@ -431,8 +397,8 @@ class GridBuilder {
     if (!region || region->at(0.0).is_empty) return std::nullopt;
     const std::optional<Outline> outline = outline_of(mor_table(*region, kCornerAccuracy));
     if (!outline) return std::nullopt;
-    auto least = stretched(outline->least, stretches_of_least_);
-    auto greatest = stretched(outline->greatest, stretches_of_greatest_);
+    auto least = placed(outline->least, least_reference_, voltage_V, temperature_K);
+    auto greatest = placed(outline->greatest, greatest_reference_, voltage_V, temperature_K);
     if (!least || !greatest) return std::nullopt;
     auto least_Nm = torques_of(*region, *least, grid_.least.places, false);
     auto greatest_Nm = torques_of(*region, *greatest, grid_.greatest.places, true);
@@ -496,6 +462,81 @@ class GridBuilder {
     }
   }
 
+  /// A cell between conditions, whose error is looked at in its middle and between two of them.
+  struct CellError {
+    std::size_t v = 0;
+    std::size_t t = 0;
+    double error_Nm = 0.0;
+    bool is_voltages = false;  ///< It comes from the voltages rather than from the temperatures.
+  };
+
+  /// Where a corner appears between conditions, the axes through the first one need not see it.
+  void refine_cells() {
+    std::set<std::pair<std::size_t, double>> unlike;  // 0: voltages, 1: temperatures; a middle
+    for (;;) {
+      RegionGrid whole = grid_;
+      if (!fill(whole)) return;
+      const CellError worst = worst_cell(whole, unlike);
+      if (worst.error_Nm <= kCellError * peak_torque_Nm_) return;
+      std::vector<double>& axis = worst.is_voltages ? grid_.voltages_V : grid_.temperatures_K;
+      const std::size_t at = worst.is_voltages ? worst.v : worst.t;
+      const double middle = 0.5 * (axis[at] + axis[at + 1]);
+      if (is_alike_at(middle, worst.is_voltages)) {
+        axis.insert(axis.begin() + static_cast<std::ptrdiff_t>(at) + 1, middle);
+      } else {
+        unlike.insert({worst.is_voltages ? 0 : 1, middle});
+      }
+    }
+  }
+
+  /// Whether the region has the reference's corners there under all conditions of the other axis.
+  bool is_alike_at(double middle, bool is_voltage) {
+    const std::vector<double>& others = is_voltage ? grid_.temperatures_K : grid_.voltages_V;
+    return std::all_of(others.begin(), others.end(), [&](double other) {
+      return (is_voltage ? condition(middle, other) : condition(other, middle)).has_value();
+    });
+  }
+
+  /// The worst of those that can still be cut.
+  CellError worst_cell(const RegionGrid& whole,
+                       const std::set<std::pair<std::size_t, double>>& unlike) {
+    CellError worst;
+    const std::vector<double>& volts = grid_.voltages_V;
+    const std::vector<double>& kelvins = grid_.temperatures_K;
+    const auto consider = [&](std::size_t v, std::size_t t, bool is_voltages) {
+      const std::vector<double>& axis = is_voltages ? volts : kelvins;
+      const std::size_t i = is_voltages ? v : t;
+      const std::size_t most = is_voltages ? kMostVoltagesForCells : kMostTemperaturesForCells;
+      if (axis.size() < 2 || axis.size() >= most || i + 1 >= axis.size()) return;
+      const double middle = 0.5 * (axis[i] + axis[i + 1]);
+      if (unlike.contains({is_voltages ? 0 : 1, middle})) return;
+      const double error_Nm = is_voltages ? error_at_Nm(whole, middle, kelvins[t])
+                                          : error_at_Nm(whole, volts[v], middle);
+      if (error_Nm > worst.error_Nm) worst = {v, t, error_Nm, is_voltages};
+    };
+    for (std::size_t v = 0; v < volts.size(); ++v) {
+      for (std::size_t t = 0; t < kelvins.size(); ++t) {
+        consider(v, t, true);
+        consider(v, t, false);
+      }
+    }
+    return worst;
+  }
+
+  /// Known already where the same conditions lie about it.
+  double error_at_Nm(const RegionGrid& whole, double voltage_V, double temperature_K) {
+    const auto around = [](const std::vector<double>& axis, double value) {
+      const Between place = between(axis, value);
+      return place.share == 0.0 ? std::pair(value, value)
+                                : std::pair(axis[place.i], axis[place.i + 1]);
+    };
+    const auto [low_V, high_V] = around(whole.voltages_V, voltage_V);
+    const auto [low_K, high_K] = around(whole.temperatures_K, temperature_K);
+    const auto [place, is_new] = edge_errors_Nm_.try_emplace({low_V, high_V, low_K, high_K}, 0.0);
+    if (is_new) place->second = error(whole, voltage_V, temperature_K).before_end_Nm;
+    return place->second;
+  }
+
   double middle_error_Nm(double low, double high, bool is_voltage) {
     const auto [place, is_new] = errors_Nm_.try_emplace({low, high}, 0.0);
     if (!is_new) return place->second;
@@ -503,7 +544,9 @@ class GridBuilder {
     cell.voltages_V = is_voltage ? std::vector{low, high} : std::vector{voltage_V_};
     cell.temperatures_K = is_voltage ? std::vector{temperature_K_} : std::vector{low, high};
     cell.least.places = grid_.least.places;
+    cell.least.rest_corner = grid_.least.rest_corner;
     cell.greatest.places = grid_.greatest.places;
+    cell.greatest.rest_corner = grid_.greatest.rest_corner;
     const double middle = 0.5 * (low + high);
     if (fill(cell)) {
       place->second = is_voltage ? error(cell, middle, temperature_K_).before_end_Nm
@@ -576,16 +619,19 @@ class GridBuilder {
       return all.empty() ? axis : all;
     };
     grid_.cell_errors_Nm.assign(cells_of(grid_.voltages_V) * cells_of(grid_.temperatures_K), 0.0);
+    grid_.cell_errors_with_jumps_Nm = grid_.cell_errors_Nm;
     for (const double voltage_V : parts(grid_.voltages_V)) {
       for (const double temperature_K : parts(grid_.temperatures_K)) {
-        note(error(grid_, voltage_V, temperature_K),
-             grid_.cell_errors_Nm[cell_at(grid_, voltage_V, temperature_K).cell]);
+        note(error(grid_, voltage_V, temperature_K), cell_at(grid_, voltage_V, temperature_K).cell);
       }
     }
   }
 
-  void note(const Error& found, double& of_cell_Nm) {
+  void note(const Error& found, std::size_t cell) {
+    double& of_cell_Nm = grid_.cell_errors_Nm[cell];
     of_cell_Nm = std::max(of_cell_Nm, found.beside_jumps_Nm);
+    double& with_jumps_Nm = grid_.cell_errors_with_jumps_Nm[cell];
+    with_jumps_Nm = std::max(with_jumps_Nm, found.before_end_Nm);
     grid_.error_before_end_Nm = std::max(grid_.error_before_end_Nm, found.before_end_Nm);
     if (found.torque_Nm <= grid_.error_Nm) return;
     grid_.error_Nm = found.torque_Nm;
@@ -599,12 +645,13 @@ class GridBuilder {
   GridErrors errors_;
   double voltage_V_;
   double temperature_K_;
-  std::vector<Stretch> stretches_of_least_;
-  std::vector<Stretch> stretches_of_greatest_;
+  Reference least_reference_;
+  Reference greatest_reference_;
   double peak_torque_Nm_ = 0.0;
   RegionGrid grid_;
   std::map<std::pair<double, double>, std::optional<Condition>> known_;
   std::map<std::pair<double, double>, double> errors_Nm_;
+  std::map<std::array<double, 4>, double> edge_errors_Nm_;
 };
 
 }  // namespace
@@ -639,6 +686,19 @@ GridCell cell_at(const RegionGrid& grid, double voltage_V, double temperature_K)
   add(v.i + 1, t.i, v.share * (1.0 - t.share));
   add(v.i + 1, t.i + 1, v.share * t.share);
   return cell;
+}
+
+double error_about_Nm(const RegionGrid& grid, std::size_t condition) {
+  const std::size_t v = condition / grid.temperatures_K.size();
+  const std::size_t t = condition % grid.temperatures_K.size();
+  const std::size_t columns = cells_of(grid.temperatures_K);
+  double greatest_Nm = 0.0;
+  for (std::size_t i = v > 0 ? v - 1 : 0; i <= std::min(v, cells_of(grid.voltages_V) - 1); ++i) {
+    for (std::size_t k = t > 0 ? t - 1 : 0; k <= std::min(t, columns - 1); ++k) {
+      greatest_Nm = std::max(greatest_Nm, grid.cell_errors_with_jumps_Nm[i * columns + k]);
+    }
+  }
+  return greatest_Nm;
 }
 
 Interval limits(const RegionGrid& grid, const GridCell& cell, double speed_rad_s) {

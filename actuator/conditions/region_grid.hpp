@@ -18,6 +18,7 @@ struct GridBound {
   std::vector<double> places;  ///< Ascending, among them every whole number up to the last corner.
   std::vector<std::vector<double>> corners_rad_s;  ///< Of each condition, ascending.
   std::vector<std::vector<double>> torques_Nm;     ///< Of each condition, at every place.
+  std::size_t rest_corner = 0;                     ///< At rest from below; the next is from above.
   /// Corners from which the bound jumps to the next corner, which is as close as rounding allows.
   std::vector<std::size_t> jumps;
 };
@@ -37,8 +38,9 @@ struct RegionGrid {
   /// Of each cell between its conditions, by voltage, then temperature: up to there, where no bound
   /// may jump (may_jump()).
   std::vector<double> cell_errors_Nm;
-  double error_Nm = 0.0;           ///< And over all speeds.
-  double error_speed_rad_s = 0.0;  ///< Where.
+  std::vector<double> cell_errors_with_jumps_Nm;  ///< The same wherever a bound jumps too.
+  double error_Nm = 0.0;                          ///< And over all speeds.
+  double error_speed_rad_s = 0.0;                 ///< Where.
 };
 
 /// Over which temperatures of the winding a grid reaches.
@@ -51,7 +53,7 @@ enum class GridTemperatures {
 enum class GridErrors { kAtQuarters, kAtMiddles };
 
 /// Makes the grid around the conditions: from half to 1.2 times the supply's voltage, over the
-/// temperatures, less where the region would have other corners than it has at the conditions.
+/// temperatures, less where the region has corners that were found under no condition looked at.
 /// Nothing where the region has a gap. A curve has one temperature.
 std::optional<RegionGrid> region_grid(
     const Actuator& actuator, const OperatingConditions& conditions, Side side,
@@ -71,6 +73,9 @@ bool reaches(const RegionGrid& grid, double voltage_V, double temperature_K);
 
 /// Conditions beyond the grid count as those at its edge.
 GridCell cell_at(const RegionGrid& grid, double voltage_V, double temperature_K);
+
+/// The greatest error of the cells about a condition (RegionGrid::cell_errors_with_jumps_Nm).
+double error_about_Nm(const RegionGrid& grid, std::size_t condition);
 
 /// Bounds of the torque in the cell, straight between its conditions. Speeds beyond its ends count
 /// as those at the ends. At rest: the union of both directions.

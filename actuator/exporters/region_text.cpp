@@ -13,11 +13,12 @@ std::optional<RegionGrid> exported_grid(const Subject& subject) {
   std::optional<RegionGrid> grid =
       region_grid(subject.actuator, subject.conditions, subject.region.side());
   if (!grid || subject.fit == LawFit::kBest) return grid;
-  for (std::vector<double>& torques_Nm : grid->least.torques_Nm) {
-    for (double& torque_Nm : torques_Nm) torque_Nm += grid->error_before_end_Nm;
-  }
-  for (std::vector<double>& torques_Nm : grid->greatest.torques_Nm) {
-    for (double& torque_Nm : torques_Nm) torque_Nm -= grid->error_before_end_Nm;
+  // Each condition by what the cells about it are off, so that within each the mixture is drawn in
+  // by no less than its error.
+  for (std::size_t condition = 0; condition < grid->least.torques_Nm.size(); ++condition) {
+    const double error_Nm = error_about_Nm(*grid, condition);
+    for (double& torque_Nm : grid->least.torques_Nm[condition]) torque_Nm += error_Nm;
+    for (double& torque_Nm : grid->greatest.torques_Nm[condition]) torque_Nm -= error_Nm;
   }
   return grid;
 }
@@ -52,10 +53,8 @@ double greatest_torque_Nm(const Subject& subject, const std::optional<RegionGrid
 }
 
 std::size_t rest_place(const GridBound& bound) {
-  const std::vector<double>& corners_rad_s = bound.corners_rad_s.front();
-  const auto rest = std::find(corners_rad_s.begin(), corners_rad_s.end(), 0.0);
-  const auto corner = static_cast<double>(rest - corners_rad_s.begin());
-  const auto place = std::find(bound.places.begin(), bound.places.end(), corner);
+  const auto place =
+      std::find(bound.places.begin(), bound.places.end(), static_cast<double>(bound.rest_corner));
   return static_cast<std::size_t>(place - bound.places.begin());
 }
 

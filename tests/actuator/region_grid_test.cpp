@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -23,7 +24,8 @@ struct Worst {
   double before_end_Nm = 0.0;
 };
 
-Worst worst_error(const Actuator& actuator, const RegionGrid& grid, int conditions) {
+Worst worst_error(const Actuator& actuator, const RegionGrid& grid, int conditions,
+                  double from_V = 0.0) {
   std::mt19937 dice(3);
   const auto between = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(dice);
@@ -31,7 +33,7 @@ Worst worst_error(const Actuator& actuator, const RegionGrid& grid, int conditio
   Worst worst;
   for (int k = 0; k < conditions; ++k) {
     OperatingConditions at;
-    at.bus_voltage_V = between(grid.voltages_V.front(), grid.voltages_V.back());
+    at.bus_voltage_V = between(std::max(from_V, grid.voltages_V.front()), grid.voltages_V.back());
     at.winding_temperature_K = between(grid.temperatures_K.front(), grid.temperatures_K.back());
     const Region region(actuator, at);
     const double end_rad_s = region.greatest_speed_rad_s();
@@ -52,20 +54,22 @@ Worst worst_error(const Actuator& actuator, const RegionGrid& grid, int conditio
   return worst;
 }
 
-// Equations (10), (11): corners are linear in V and R, so that the grid has no error at all.
+// Equations (10), (11): corners are linear in V and R, so that the grid has no error at all where
+// the cap is there at rest, V >= R(T) I = 0.5 (1 + 0.0039 95) 40 = 27.41 V at 393.15 K. Below, the
+// voltage bounds the torque at rest: the cells between are cut until they are off by a hundredth.
 TEST(RegionGrid, IsExactForAMotorWithoutLosses) {
   const Actuator actuator = round_actuator();
   const auto grid = region_grid(actuator, {}, Side::kJoint);
   ASSERT_TRUE(grid);
-  // The cap is there at rest down to V = R(T) I = 0.5 (1 + 0.0039 95) 40 = 27.41 V at 393.15 K:
-  // below, there are other corners. That is found to 1/128 of the way from 50 V to half of it.
-  EXPECT_GE(grid->voltages_V.front(), 27.41);
-  EXPECT_LE(grid->voltages_V.front(), 27.41 + 25.0 / 128.0);
+  EXPECT_EQ(grid->voltages_V.front(), 25.0);
   EXPECT_EQ(grid->voltages_V.back(), 60.0);
-  EXPECT_EQ(grid->temperatures_K, (std::vector<double>{273.15, 298.15, 393.15}));
+  EXPECT_EQ(grid->temperatures_K.front(), 273.15);
+  EXPECT_EQ(grid->temperatures_K.back(), 393.15);
   const double peak_Nm = 10.0 * 0.5 * 40.0;
-  EXPECT_LT(worst_error(actuator, *grid, 50).torque_Nm, 1e-9 * peak_Nm);
-  EXPECT_LT(grid->error_Nm, 1e-9 * peak_Nm);
+  const auto above = std::upper_bound(grid->voltages_V.begin(), grid->voltages_V.end(), 27.41);
+  EXPECT_LT(worst_error(actuator, *grid, 50, *above).torque_Nm, 1e-9 * peak_Nm);
+  EXPECT_LT(grid->error_Nm, 0.02 * peak_Nm);
+  EXPECT_LT(worst_error(actuator, *grid, 50).torque_Nm, kBetween * grid->error_Nm);
 }
 
 // Without regeneration the bounds jump as soon as it turns; that stays where it is.
@@ -95,6 +99,50 @@ TEST(RegionGrid, KnowsItsErrorOnRandomActuators) {
               kBetween * grid->error_before_end_Nm + rounding_Nm);
   }
   EXPECT_GE(grids, 10);
+}
+
+// Corners that appear between conditions: a cap that ends before rest, a battery's limit that opens
+// in the middle of another. Before those were placed and their cells cut, three of these were off
+// by 12 to 21 % of the peak torque, and half of the grids ended before half the voltage.
+TEST(RegionGrid, IsOffByAFewPercentWhereverACornerAppears) {
+  constexpr double kFewPercent = 0.05;
+  int grids = 0;
+  for (const unsigned seed : {5u, 8u, 9u, 20u, 24u, 34u, 35u}) {
+    SCOPED_TRACE(seed);
+    const Actuator actuator = random_actuator(seed, {true, seed % 3 == 0, seed % 4 == 0});
+    const auto grid = region_grid(actuator, {}, Side::kJoint);
+    ASSERT_TRUE(grid);
+    ++grids;
+    const double peak_Nm = mor_table(Region(actuator, {})).peak_torque_Nm;
+    const double bus_V = open_circuit_voltage_V(actuator, {});
+    EXPECT_EQ(grid->voltages_V.front(), 0.5 * bus_V);
+    EXPECT_EQ(grid->voltages_V.back(), 1.2 * bus_V);
+    EXPECT_LE(grid->error_before_end_Nm, kFewPercent * peak_Nm);
+    EXPECT_LE(worst_error(actuator, *grid, 40).before_end_Nm, kFewPercent * peak_Nm);
+  }
+  EXPECT_EQ(grids, 7);
+}
+
+// Drawn in by what the cells about each condition are off: nowhere by less than its own cell is,
+// and not everywhere by the worst.
+TEST(RegionGrid, KnowsTheErrorAboutEachCondition) {
+  const Actuator actuator = random_actuator(9, {true, true, false});
+  const auto grid = region_grid(actuator, {}, Side::kJoint);
+  ASSERT_TRUE(grid);
+  double least_Nm = grid->error_before_end_Nm;
+  double greatest_Nm = 0.0;
+  for (std::size_t v = 0; v < grid->voltages_V.size(); ++v) {
+    for (std::size_t t = 0; t < grid->temperatures_K.size(); ++t) {
+      const double about_Nm = error_about_Nm(*grid, v * grid->temperatures_K.size() + t);
+      const double inside_V = std::min(grid->voltages_V[v] + 1e-6, grid->voltages_V.back());
+      const GridCell cell = cell_at(*grid, inside_V, grid->temperatures_K[t]);
+      EXPECT_GE(about_Nm, grid->cell_errors_with_jumps_Nm[cell.cell]);
+      least_Nm = std::min(least_Nm, about_Nm);
+      greatest_Nm = std::max(greatest_Nm, about_Nm);
+    }
+  }
+  EXPECT_EQ(greatest_Nm, grid->error_before_end_Nm);
+  EXPECT_LT(least_Nm, 0.5 * greatest_Nm);
 }
 
 TEST(RegionGrid, HoldsItsEdges) {
