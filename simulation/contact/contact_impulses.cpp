@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "simulation/contact/contact_newton.hpp"
 #include "simulation/contact/coulomb.hpp"
 
 namespace torquewright::simulation {
@@ -30,7 +29,8 @@ PointResponse alone(const ContactProblem& problem, const Eigen::VectorXd& impuls
 
 }  // namespace
 
-bool solve_contacts(const ContactProblem& problem, Eigen::VectorXd& impulse_N_s) {
+bool solve_contacts(const ContactProblem& problem, NewtonMemory& memory,
+                    Eigen::VectorXd& impulse_N_s) {
   const Index points = problem.friction_coefficients.size();
   const double tolerance_m_s =
       std::max(kContactTolerance * problem.free_m_s.cwiseAbs().maxCoeff(), kNoCreep_m_s);
@@ -46,7 +46,7 @@ bool solve_contacts(const ContactProblem& problem, Eigen::VectorXd& impulse_N_s)
     if (change_m_s <= tolerance_m_s) return true;
     if (sweep >= kPatientSweeps && change_m_s <= kMostCreep_m_s) return true;
     const bool is_creeping = (sweep + 1) % kSweepsBetweenNewton == kSweepsBeforeNewton;
-    if (is_creeping && points > 1 && newton_contacts(problem, tolerance_m_s, impulse_N_s))
+    if (is_creeping && points > 1 && newton_contacts(problem, tolerance_m_s, memory, impulse_N_s))
       return true;
   }
   return false;

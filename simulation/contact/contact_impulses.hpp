@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "simulation/contact/contact_newton.hpp"
 #include "simulation/contact/contact_problem.hpp"
 
 namespace torquewright::simulation {
@@ -10,7 +11,8 @@ namespace torquewright::simulation {
 /// method", 1999). `impulse_N_s` is the start and the result; where several distributions carry a
 /// shared load, the start decides which is found. False: kMostSweeps sweeps were not enough, and
 /// the result is the last sweep's. Requires positive normal responses.
-[[nodiscard]] bool solve_contacts(const ContactProblem& problem, Eigen::VectorXd& impulse_N_s);
+[[nodiscard]] bool solve_contacts(const ContactProblem& problem, NewtonMemory& memory,
+                                  Eigen::VectorXd& impulse_N_s);
 
 /// Largest error of a velocity, as a share of the fastest point's velocity or of a creep of 0.1
 /// nm/s. A choice of ours.

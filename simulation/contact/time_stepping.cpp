@@ -49,6 +49,10 @@ TimeStepping::TimeStepping(MovingBodies& bodies, Obstacles obstacles)
   bias_.resize(size);
   mass_.resize(size, size);
   jacobian_.resize(3, size);
+  met_by_count_.resize(obstacles_.points.size() + obstacles_.stops.size() +
+                       obstacles_.frictions.size() + 1);
+  active_.reserve(obstacles_.points.size());
+  active_stops_.reserve(obstacles_.stops.size());
   gives_back_ = std::any_of(obstacles_.points.begin(), obstacles_.points.end(),
                             [](const GroundPoint& point) { return point.restitution > 0.0; });
   forget();
@@ -58,7 +62,7 @@ void TimeStepping::forget() {
   flew_ = false;
   active_.clear();
   active_stops_.clear();
-  active_impulses_.resize(0);
+  count_ = 0;
   impulses_N_s_.setZero();
   stop_impulses_.setZero();
   friction_impulses_.setZero();
@@ -133,8 +137,8 @@ TimeStepping::Outcome TimeStepping::accelerations(const VectorIn& force, double 
                                                   VectorXd& out) {
   bodies_.mass_matrix(mass_);
   if (has_drag_) {
-    const VectorXd stiff = implicit_s * damping_ - mass_.diagonal();
-    mass_.diagonal() += (0.5 * implicit_s * damping_).cwiseMax(stiff);
+    stiff_ = implicit_s * damping_ - mass_.diagonal();
+    mass_.diagonal() += (0.5 * implicit_s * damping_).cwiseMax(stiff_);
   }
   bodies_.bias(bias_);
   factors_.compute(mass_);
@@ -188,12 +192,12 @@ TimeStepping::Outcome TimeStepping::touch(const VectorIn& force, double step_s) 
   free_velocity_ = velocity_ + step_s * acceleration_;
   if (!free_velocity_.allFinite()) return Outcome::kBlownUp;
   if (!solve_active(step_s)) return Outcome::kUnsolved;
-  if (active_impulses_.size() == 0) {  // dampers alone
+  if (met().impulses.size() == 0) {  // dampers alone
     generalised_.setZero();
     jump_.setZero();
   } else {
-    generalised_.noalias() = directions_ * active_impulses_;
-    jump_.noalias() = answers_ * active_impulses_;
+    generalised_.noalias() = met().directions * met().impulses;
+    jump_.noalias() = met().answers * met().impulses;
     factors_.matrixU().solveInPlace(jump_);
   }
   velocity_ = free_velocity_ + jump_;
@@ -212,15 +216,15 @@ void TimeStepping::record_impulses() {
   }
   Index row = 0;
   for (const std::size_t point : active_) {
-    impulses_N_s_.segment<3>(3 * static_cast<Index>(point)) = active_impulses_.segment<3>(row);
+    impulses_N_s_.segment<3>(3 * static_cast<Index>(point)) = met().impulses.segment<3>(row);
     row += 3;
   }
   for (const std::size_t stop : active_stops_) {
-    stop_impulses_[static_cast<Index>(stop)] = active_impulses_[row + 2];
+    stop_impulses_[static_cast<Index>(stop)] = met().impulses[row + 2];
     row += 3;
   }
   for (Index i = 0; i < friction_impulses_.size(); ++i) {
-    friction_impulses_[i] = active_impulses_[row + 3 * i];
+    friction_impulses_[i] = met().impulses[row + 3 * i];
   }
 }
 
@@ -229,18 +233,18 @@ void TimeStepping::generalised_impulse_of(std::size_t points, dynamics::VectorOu
                                    [&](std::size_t point) { return point < points; });
   const Index rows = 3 * static_cast<Index>(count);
   out.setZero();
-  if (rows > 0) out.noalias() += directions_.leftCols(rows) * active_impulses_.head(rows);
+  if (rows > 0) out.noalias() += met().directions.leftCols(rows) * met().impulses.head(rows);
 }
 
 /// The velocities at what is met; of the restitution only that share; eqs. (4), (7).
 void TimeStepping::gather(double restitution_share, double step_s) {
-  problem_.free_m_s.noalias() = directions_.transpose() * free_velocity_;
+  met().problem.free_m_s.noalias() = met().directions.transpose() * free_velocity_;
   answer_by_friction(step_s);
   if (!gives_back_) return;
   for (std::size_t k = 0; k < active_.size(); ++k) {
     const Index normal = 3 * static_cast<Index>(k) + 2;
-    const double before_m_s = directions_.col(normal).dot(velocity_);
-    problem_.free_m_s[normal] +=
+    const double before_m_s = met().directions.col(normal).dot(velocity_);
+    met().problem.free_m_s[normal] +=
         restitution_share * obstacles_.points[active_[k]].restitution * std::min(0.0, before_m_s);
   }
 }
@@ -253,9 +257,9 @@ void TimeStepping::answer_by_friction(double step_s) {
     const JointFriction& friction = obstacles_.frictions[i];
     const Index row = first_friction_row() + 3 * static_cast<Index>(i);
     const bool rests = std::abs(velocity_[friction.row]) <= dynamics::kRest;
-    const double response_1_kg = problem_.response_1_kg(row, row);
-    problem_.response_1_kg.diagonal().segment<2>(row + 1).setConstant(response_1_kg);
-    problem_.free_m_s[row + 2] =
+    const double response_1_kg = met().problem.response_1_kg(row, row);
+    met().problem.response_1_kg.diagonal().segment<2>(row + 1).setConstant(response_1_kg);
+    met().problem.free_m_s[row + 2] =
         -response_1_kg * step_s * (rests ? friction.resting : friction.moving);
   }
 }
@@ -263,31 +267,36 @@ void TimeStepping::answer_by_friction(double step_s) {
 /// Impulses times the mean of the velocities before and after; rounding aside.
 double TimeStepping::contact_work_J() const {
   const Index rows = first_friction_row();
-  const VectorXd before_m_s = directions_.leftCols(rows).transpose() * free_velocity_;
-  const VectorXd change_m_s = problem_.response_1_kg.topRows(rows) * active_impulses_;
-  const auto impulses = active_impulses_.head(rows);
-  const double rounding_J = 1e-14 * impulses.cwiseAbs().dot(before_m_s.cwiseAbs());
-  return impulses.dot(before_m_s + 0.5 * change_m_s) - rounding_J;
+  double work_J = 0.0, size_J = 0.0;
+  for (Index row = 0; row < rows; ++row) {
+    const double before_m_s = met().directions.col(row).dot(free_velocity_);
+    const double change_m_s = met().problem.response_1_kg.col(row).dot(met().impulses);
+    const double impulse = met().impulses[row];
+    work_J += impulse * (before_m_s + 0.5 * change_m_s);
+    size_J += std::abs(impulse * before_m_s);
+  }
+  return work_J - 1e-14 * size_J;
 }
 
 /// Jacobians, friction, and the last step's impulses, which are near.
 void TimeStepping::fill_rows() {
   const auto count = first_friction_row() / 3 + friction_impulses_.size();
-  directions_.setZero(jump_.size(), 3 * count);
-  problem_.friction_coefficients.setZero(count);
-  active_impulses_.setZero(3 * count);
+  count_ = static_cast<std::size_t>(count);
+  met().directions.setZero(jump_.size(), 3 * count);
+  met().problem.friction_coefficients.setZero(count);
+  met().impulses.setZero(3 * count);
   Index k = 0;
   for (const std::size_t index : active_) {
     const GroundPoint& point = obstacles_.points[index];
     dynamics::point_jacobian(bodies_.state(), lowest_point(bodies_.state(), point), jacobian_);
-    directions_.middleCols<3>(3 * k) = jacobian_.transpose();
-    problem_.friction_coefficients[k] = point.friction_coefficient;
-    active_impulses_.segment<3>(3 * k) = impulses_N_s_.segment<3>(3 * static_cast<Index>(index));
+    met().directions.middleCols<3>(3 * k) = jacobian_.transpose();
+    met().problem.friction_coefficients[k] = point.friction_coefficient;
+    met().impulses.segment<3>(3 * k) = impulses_N_s_.segment<3>(3 * static_cast<Index>(index));
     ++k;
   }
   for (const std::size_t index : active_stops_) {
-    directions_(obstacles_.stops[index].row, 3 * k + 2) = obstacles_.stops[index].inward;
-    active_impulses_[3 * k + 2] = stop_impulses_[static_cast<Index>(index)];
+    met().directions(obstacles_.stops[index].row, 3 * k + 2) = obstacles_.stops[index].inward;
+    met().impulses[3 * k + 2] = stop_impulses_[static_cast<Index>(index)];
     ++k;
   }
   fill_friction_rows();
@@ -296,20 +305,20 @@ void TimeStepping::fill_rows() {
 void TimeStepping::fill_friction_rows() {
   for (std::size_t i = 0; i < obstacles_.frictions.size(); ++i) {
     const Index row = first_friction_row() + 3 * static_cast<Index>(i);
-    directions_(obstacles_.frictions[i].row, row) = 1.0;
-    problem_.friction_coefficients[row / 3] = 1.0;
-    active_impulses_[row] = friction_impulses_[static_cast<Index>(i)];
+    met().directions(obstacles_.frictions[i].row, row) = 1.0;
+    met().problem.friction_coefficients[row / 3] = 1.0;
+    met().impulses[row] = friction_impulses_[static_cast<Index>(i)];
   }
 }
 
 /// W = J M^-1 J^T from L^-1 J^T, where M = L L^T. Columns are short: plain loops are faster than
 /// products in blocks.
 void TimeStepping::respond() {
-  const Index size = directions_.rows(), columns = directions_.cols();
-  answers_ = directions_;
+  const Index size = met().directions.rows(), columns = met().directions.cols();
+  met().answers = met().directions;
   const auto& L = factors_.matrixLLT();
   for (Index k = 0; k < columns; ++k) {
-    auto column = answers_.col(k);
+    auto column = met().answers.col(k);
     for (Index i = 0; i < size; ++i) {
       if (column[i] == 0.0) continue;
       column[i] /= L(i, i);
@@ -317,23 +326,23 @@ void TimeStepping::respond() {
       column.tail(below) -= column[i] * L.col(i).tail(below);
     }
   }
-  problem_.response_1_kg.resize(columns, columns);
+  met().problem.response_1_kg.resize(columns, columns);
   for (Index k = 0; k < columns; ++k) {
     for (Index j = 0; j <= k; ++j) {
-      const double response_1_kg = answers_.col(j).dot(answers_.col(k));
-      problem_.response_1_kg(j, k) = problem_.response_1_kg(k, j) = response_1_kg;
+      const double response_1_kg = met().answers.col(j).dot(met().answers.col(k));
+      met().problem.response_1_kg(j, k) = met().problem.response_1_kg(k, j) = response_1_kg;
     }
   }
 }
 
 bool TimeStepping::solve_active(double step_s) {
   fill_rows();
-  if (active_impulses_.size() == 0) return true;
+  if (met().impulses.size() == 0) return true;
   respond();
   constexpr double kShares[] = {1.0, 0.75, 0.5, 0.25, 0.0};
   for (const double share : kShares) {
     gather(share, step_s);
-    const bool is_solved = solve_contacts(problem_, active_impulses_);
+    const bool is_solved = solve_contacts(met().problem, met().newton, met().impulses);
     if (!gives_back_ || share == 0.0) return is_solved;
     if (is_solved && contact_work_J() <= 0.0) break;  // eq. (8)
   }

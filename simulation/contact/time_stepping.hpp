@@ -27,7 +27,8 @@ struct Obstacles {
 /// and forces of contact are impulses of a step; without contact a Runge-Kutta step of fourth order
 /// (docs/derivations/time_stepping.md). No penalty, no stiffness: its one number is the step. Dry
 /// friction of joints is an impulse of the step too, and dampers act implicitly; a tree that has
-/// either does not fly by Runge-Kutta steps.
+/// either does not fly by Runge-Kutta steps. A step takes no memory but where as many points, stops
+/// and frictions act together as never before.
 class TimeStepping {
  public:
   enum class Outcome {
@@ -69,6 +70,16 @@ class TimeStepping {
     Eigen::VectorXd acceleration;
   };
 
+  /// What acts on some number of points, stops and joints' friction together, three rows each. One
+  /// for each number that there was, so that a number that comes again takes no memory.
+  struct Met {
+    Eigen::MatrixXd directions;  ///< J^T (n x 3 k)
+    Eigen::MatrixXd answers;     ///< L^-1 J^T, where M = L L^T.
+    ContactProblem problem;
+    NewtonMemory newton;
+    Eigen::VectorXd impulses;
+  };
+
   Outcome fly(const dynamics::VectorIn& force, double step_s, bool& touches);
   void lead(const Stage& before, double duration_s, Stage& next);
   Outcome touch(const dynamics::VectorIn& force, double step_s);
@@ -82,6 +93,8 @@ class TimeStepping {
   Eigen::Index first_friction_row() const {
     return 3 * static_cast<Eigen::Index>(active_.size() + active_stops_.size());
   }
+  Met& met() { return met_by_count_[count_]; }
+  const Met& met() const { return met_by_count_[count_]; }
   void fill_friction_rows();
   void answer_by_friction(double step_s);
   void fill_rows();
@@ -102,7 +115,7 @@ class TimeStepping {
   Eigen::VectorXd position_, velocity_;
   Eigen::VectorXd middle_;         ///< Position in the middle of the step.
   Eigen::VectorXd free_velocity_;  ///< Velocity after the step if there were nothing to meet.
-  Eigen::VectorXd bias_;
+  Eigen::VectorXd bias_, stiff_;
   Eigen::MatrixXd mass_;
   Eigen::LLT<Eigen::MatrixXd> factors_;
   std::array<Stage, 4> stages_;
@@ -111,10 +124,8 @@ class TimeStepping {
   /// Stops that act, behind the points: three rows each, of which the third is used.
   std::vector<std::size_t> active_stops_;
   Eigen::Matrix<double, 3, Eigen::Dynamic> jacobian_;  ///< Jacobian of one point.
-  Eigen::MatrixXd directions_;  ///< J^T (n x 3 k) of the active points and stops.
-  Eigen::MatrixXd answers_;     ///< L^-1 J^T, where M = L L^T.
-  ContactProblem problem_;
-  Eigen::VectorXd active_impulses_;
+  std::vector<Met> met_by_count_;
+  std::size_t count_ = 0;  ///< How many act now.
   Eigen::VectorXd impulses_N_s_, stop_impulses_, friction_impulses_, generalised_, jump_;
 };
 
