@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "actuator/region/mor_table.hpp"
+#include "actuator/mor/mor_table.hpp"
 
 namespace torquewright::actuator {
 
