@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kJumpShare = 1e-6;  // of the peak torque: no jump is smaller
 
-Stretch stretch_of(const JointRange& range, bool is_greatest) {
+LimiterStretch stretch_of(const JointRange& range, bool is_greatest) {
   const JointBound& bound = bound_of(range, is_greatest);
   return {bound.limiter, (bound.torque_Nm > 0.0) - (bound.torque_Nm < 0.0)};
 }
@@ -35,7 +35,7 @@ std::optional<std::vector<MorRow>> outward(const MorTable& table, double directi
 Corners half_corners(const std::vector<MorRow>& rows, bool is_greatest, double jump_Nm) {
   Corners corners{{0.0}, {}, 0};
   for (std::size_t i = 1; i < rows.size(); ++i) {
-    const Stretch here = stretch_of(rows[i - 1].range, is_greatest);
+    const LimiterStretch here = stretch_of(rows[i - 1].range, is_greatest);
     if (stretch_of(rows[i].range, is_greatest) == here) continue;
     const double change_Nm = bound_of(rows[i].range, is_greatest).torque_Nm -
                              bound_of(rows[i - 1].range, is_greatest).torque_Nm;
@@ -51,7 +51,7 @@ Corners half_corners(const std::vector<MorRow>& rows, bool is_greatest, double j
 }
 
 /// The shortest sequence that both are part of.
-std::vector<Stretch> merged(Stretches one, Stretches other) {
+std::vector<LimiterStretch> merged(LimiterStretches one, LimiterStretches other) {
   const std::size_t rows = one.size() + 1;
   const std::size_t columns = other.size() + 1;
   std::vector<std::size_t> length(rows * columns);  // of what is merged from (i, j) on
@@ -68,7 +68,7 @@ std::vector<Stretch> merged(Stretches one, Stretches other) {
       }
     }
   }
-  std::vector<Stretch> all;
+  std::vector<LimiterStretch> all;
   std::size_t i = 0;
   std::size_t j = 0;
   while (i < one.size() || j < other.size()) {
@@ -107,29 +107,29 @@ std::optional<Corners> corners_of(const MorTable& table, bool is_greatest) {
   return all;
 }
 
-bool is_part_of(Stretches one, Stretches other) {
+bool is_part_of(LimiterStretches one, LimiterStretches other) {
   std::size_t next = 0;
-  for (const Stretch& each : other) {
+  for (const LimiterStretch& each : other) {
     if (next < one.size() && one[next] == each) ++next;
   }
   return next == one.size();
 }
 
-std::vector<Stretch> merged_about_rest(const std::vector<Stretch>& one,
-                                       const std::vector<Stretch>& other) {
-  const auto split = [](const std::vector<Stretch>& all) {
+std::vector<LimiterStretch> merged_about_rest(const std::vector<LimiterStretch>& one,
+                                              const std::vector<LimiterStretch>& other) {
+  const auto split = [](const std::vector<LimiterStretch>& all) {
     const auto rest = std::find(all.begin(), all.end(), kAtRest);
-    return std::pair(Stretches(all.begin(), rest), Stretches(rest + 1, all.end()));
+    return std::pair(LimiterStretches(all.begin(), rest), LimiterStretches(rest + 1, all.end()));
   };
   const auto [one_below, one_above] = split(one);
   const auto [other_below, other_above] = split(other);
-  std::vector<Stretch> all = merged(one_below, other_below);
+  std::vector<LimiterStretch> all = merged(one_below, other_below);
   all.push_back(kAtRest);
-  for (const Stretch& each : merged(one_above, other_above)) all.push_back(each);
+  for (const LimiterStretch& each : merged(one_above, other_above)) all.push_back(each);
   return all;
 }
 
-std::optional<double> opening(const Example& example, std::size_t first, std::size_t last) {
+std::optional<double> opening(const CornersExample& example, std::size_t first, std::size_t last) {
   const std::vector<double>& w = example.corners_rad_s;
   const double whole = w[last + 1] - w[first];
   const bool is_open = w[last] > w[first + 1] && w[first + 1] > w[first] && w[last + 1] > w[last];
@@ -138,10 +138,10 @@ std::optional<double> opening(const Example& example, std::size_t first, std::si
 }
 
 std::optional<Corners> stretched(
-    const Corners& found, const std::vector<Stretch>& reference,
+    const Corners& found, const std::vector<LimiterStretch>& reference,
     const std::function<std::optional<double>(std::size_t, std::size_t)>& opening_of) {
-  const Stretches wanted(reference);
-  const Stretches had(found.stretches);
+  const LimiterStretches wanted(reference);
+  const LimiterStretches had(found.stretches);
   Corners all{{found.speeds_rad_s.front()}, reference, 0};
   std::size_t next = 0;
   const auto end_here = [&](std::size_t i) {

@@ -83,7 +83,8 @@ void add_rows(const Corners& corners, const MorTable& table, std::vector<double>
 }
 
 /// Every corner of the reference, and the rows between them.
-std::vector<double> places_of(const std::vector<Stretch>& reference, std::vector<double> rows) {
+std::vector<double> places_of(const std::vector<LimiterStretch>& reference,
+                              std::vector<double> rows) {
   std::vector<double> places;
   for (std::size_t i = 0; i <= reference.size(); ++i) places.push_back(static_cast<double>(i));
   std::sort(rows.begin(), rows.end());
@@ -266,7 +267,7 @@ class GridBuilder {
     return Start{voltage_V, temperature_K, std::move(table), std::move(*outline)};
   }
 
-  static std::vector<std::size_t> jumps_of(const std::vector<Stretch>& stretches) {
+  static std::vector<std::size_t> jumps_of(const std::vector<LimiterStretch>& stretches) {
     std::vector<std::size_t> jumps;
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       if (stretches[i] == kJump) jumps.push_back(i);
@@ -308,15 +309,15 @@ class GridBuilder {
 
   /// The stretches that a bound may have, and where they lie under the conditions looked at.
   struct Reference {
-    std::vector<Stretch> stretches;
-    std::vector<Example> examples;
+    std::vector<LimiterStretch> stretches;
+    std::vector<CornersExample> examples;
   };
 
   void choose_places(const Start& here, const std::vector<Start>& starts, std::size_t far_ends,
                      Corners Outline::*bound, Reference& reference, GridBound& grid_bound) {
     const Start* richest = &here;
     for (std::size_t i = 0; i < far_ends; ++i) {
-      const std::vector<Stretch>& most = (richest->outline.*bound).stretches;
+      const std::vector<LimiterStretch>& most = (richest->outline.*bound).stretches;
       if (is_part_of(most, (starts[i].outline.*bound).stretches)) richest = &starts[i];
     }
     reference.stretches = (richest->outline.*bound).stretches;
@@ -357,7 +358,7 @@ class GridBuilder {
     return stretched(found, reference.stretches, [&](std::size_t first, std::size_t last) {
       std::optional<double> share;
       double nearest = kUnlimited;
-      for (const Example& example : reference.examples) {
+      for (const CornersExample& example : reference.examples) {
         const double distance = std::hypot((example.voltage_V - voltage_V) / voltage_V_,
                                            (example.temperature_K - temperature_K) / kFreezing_K);
         if (distance >= nearest) continue;
