@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "actuator/catalogue/drive_set.hpp"
 #include "actuator/motor/actuator_spec.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/text/one_line.hpp"
@@ -79,6 +80,15 @@ void add(const Candidate& candidate, const std::optional<RatioSweep>& sweep,
   }
 }
 
+CandidateSet none_yet(const ReadRobot& robot) {
+  if (robot.robot.drivetrains.empty()) {
+    io::refuse("--candidates", "the robot states no mechanisms whose actuators could be replaced");
+  }
+  CandidateSet candidates;
+  candidates.by_drivetrain.resize(robot.robot.drivetrains.size());
+  return candidates;
+}
+
 double read_number(const std::string& text, const std::string& part) {
   double value = 0.0;
   const char* end = part.data() + part.size();
@@ -129,11 +139,7 @@ RatioSweep read_ratio_sweep(const std::string& text) {
 
 CandidateSet read_candidate_set(const fs::path& folder, const ReadRobot& robot,
                                 const std::optional<RatioSweep>& sweep) {
-  if (robot.robot.drivetrains.empty()) {
-    io::refuse("--candidates", "the robot states no mechanisms whose actuators could be replaced");
-  }
-  CandidateSet candidates;
-  candidates.by_drivetrain.resize(robot.robot.drivetrains.size());
+  CandidateSet candidates = none_yet(robot);
   for (const fs::path& file : documents_in(folder)) {
     const std::string name = io::stem_in_text(file);
     try {
@@ -154,6 +160,19 @@ CandidateSet read_candidate_set(const fs::path& folder, const ReadRobot& robot,
   const bool is_bare = std::all_of(candidates.by_drivetrain.begin(), candidates.by_drivetrain.end(),
                                    [](const auto& some) { return some.empty(); });
   if (is_bare) io::refuse(folder.string(), "holds no actuator and no gearbox");
+  return candidates;
+}
+
+CandidateSet catalogue_candidates(const ReadRobot& robot, const std::optional<RatioSweep>& sweep) {
+  CandidateSet candidates = none_yet(robot);
+  actuator::DriveSet shelf = actuator::catalogue();
+  for (std::vector<Candidate>& some : candidates.by_drivetrain) {
+    for (const actuator::NamedActuator& drive : shelf.drives) {
+      add({drive.stem, drive.actuator}, sweep, some);
+    }
+  }
+  candidates.documents = std::move(shelf.documents);
+  candidates.left_out = std::move(shelf.left_out);
   return candidates;
 }
 

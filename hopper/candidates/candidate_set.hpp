@@ -41,4 +41,7 @@ struct CandidateSet {
 CandidateSet read_candidate_set(const std::filesystem::path& folder, const ReadRobot& robot,
                                 const std::optional<RatioSweep>& sweep);
 
+/// The actuators of the catalogue that is compiled in, the shelf of `actuator find`.
+CandidateSet catalogue_candidates(const ReadRobot& robot, const std::optional<RatioSweep>& sweep);
+
 }  // namespace torquewright::hopper

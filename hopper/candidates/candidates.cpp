@@ -225,8 +225,12 @@ void add_drive(const Candidate& candidate, const CheckOptions& options, double s
                const actuator::DriveReport& report, CandidateResult& result) {
   const actuator::CheckedInterpretation& interpretation = report.interpretation;
   result.margin_share = std::min(result.margin_share, interpretation.margin_Nm / stall_Nm);
-  result.energy_J += interpretation.energy_drawn_J - interpretation.energy_returned_J;
-  result.copper_loss_J += copper_loss_J(candidate.actuator, options.conditions, report);
+  if (!candidate.actuator.envelope) {
+    result.energy_J = result.energy_J.value_or(0.0) + interpretation.energy_drawn_J -
+                      interpretation.energy_returned_J;
+    result.copper_loss_J = result.copper_loss_J.value_or(0.0) +
+                           copper_loss_J(candidate.actuator, options.conditions, report);
+  }
   result.peak_torque_Nm = std::max(result.peak_torque_Nm, interpretation.peak_torque_Nm);
   if (interpretation.speed_margin_rad_s &&
       (!result.speed_margin_rad_s ||
@@ -301,14 +305,20 @@ CandidateResult judge(const Basis& basis, std::size_t drivetrain, const Candidat
   return *worst;
 }
 
-/// As good in everything and better in something. Masses that are not known count as equal.
+bool is_less(const std::optional<double>& one, const std::optional<double>& other) {
+  return one && other && *one < *other;
+}
+
+/// As good in everything and better in something. Where one of two is not known (masses, what a
+/// drive by its curve draws), they count as equal.
 bool dominates(const CandidateResult& one, const CandidateResult& other) {
-  const double one_kg = one.mass_kg.value_or(0.0);
-  const double other_kg = other.mass_kg.value_or(0.0);
-  const bool as_good = one.margin_share >= other.margin_share && one_kg <= other_kg &&
-                       one.energy_J <= other.energy_J && one.copper_loss_J <= other.copper_loss_J;
-  const bool better = one.margin_share > other.margin_share || one_kg < other_kg ||
-                      one.energy_J < other.energy_J || one.copper_loss_J < other.copper_loss_J;
+  bool better = one.margin_share > other.margin_share;
+  bool as_good = one.margin_share >= other.margin_share;
+  for (const auto figure :
+       {&CandidateResult::mass_kg, &CandidateResult::energy_J, &CandidateResult::copper_loss_J}) {
+    as_good = as_good && !is_less(other.*figure, one.*figure);
+    better = better || is_less(one.*figure, other.*figure);
+  }
   return as_good && better;
 }
 

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,9 +30,10 @@ struct CandidateResult {
   double margin_share = 0.0;
   std::optional<double> speed_margin_rad_s;
   std::optional<double> mass_kg;  ///< Mass of the drivetrain's actuators.
-  double energy_J = 0.0;          ///< Energy drawn less energy returned.
-  double copper_loss_J = 0.0;     ///< Heat of the windings in one run.
-  double peak_torque_Nm = 0.0;    ///< Greatest torque at the joint, its rotor's part included.
+  /// Energy drawn less energy returned; nothing of a drive that is known by its curve, as the next.
+  std::optional<double> energy_J;
+  std::optional<double> copper_loss_J;  ///< Heat of the windings in one run.
+  double peak_torque_Nm = 0.0;  ///< Greatest torque at the joint, its rotor's part included.
   double rotor_inertia_kg_m2 = 0.0;
   CandidateTorques torques = CandidateTorques::kDynamics;
   /// Whether it is on the front of margin, mass, energy and heat, among those that pass.

@@ -77,8 +77,8 @@ CandidateResult candidate_of(const std::string& text) {
   result.margin_share = number_of(keys.at("margin_share"));
   result.speed_margin_rad_s = if_number(keys.at("speed_margin_rad_s"));
   result.mass_kg = if_number(keys.at("mass_kg"));
-  result.energy_J = number_of(keys.at("energy_J"));
-  result.copper_loss_J = number_of(keys.at("copper_loss_J"));
+  result.energy_J = if_number(keys.at("energy_J"));
+  result.copper_loss_J = if_number(keys.at("copper_loss_J"));
   result.peak_torque_Nm = number_of(keys.at("peak_torque_Nm"));
   result.rotor_inertia_kg_m2 = keys.at("rotor_inertia_kg_m2");
   result.torques = keys.at("torques") == kDynamics ? CandidateTorques::kDynamics

@@ -40,7 +40,8 @@ void add_physics_options(command_line::Command& command, hopper::CheckOptions& c
 void add_candidate_options(command_line::Command& command, HopperCheckRequest& request) {
   command
       .add_option("--candidates", request.candidates_folder,
-                  "Try the actuators and gearboxes of this folder in every place")
+                  "Try the actuators and gearboxes of this folder in every place; \"catalogue\" is "
+                  "that of specs/catalogue, compiled in")
       .otherwise("none is tried")
       .of_one_answer();
   command

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "hopper/candidates/candidates_spec.hpp"
 #include "io/faults/spec_error.hpp"
 #include "robot/mechanisms/constant_jacobian.hpp"
 #include "tests/actuator/example_actuator.hpp"
@@ -206,8 +207,8 @@ void expect_oracles_ranking(const std::vector<CandidateResult>& results, bool is
     EXPECT_NEAR(result.margin_share, truth.share, 1e-9) << result.name;
     if (result.verdict != Verdict::kPass) continue;  // what no current yields is counted clipped
     ++passing;
-    EXPECT_NEAR(result.copper_loss_J, truth.copper, 1e-9 * truth.copper) << result.name;
-    EXPECT_NEAR(result.energy_J, truth.energy, 1e-9 * truth.copper) << result.name;
+    EXPECT_NEAR(result.copper_loss_J.value(), truth.copper, 1e-9 * truth.copper) << result.name;
+    EXPECT_NEAR(result.energy_J.value(), truth.energy, 1e-9 * truth.copper) << result.name;
   }
   EXPECT_GE(passing, 4);   // else nothing was ranked
   EXPECT_LE(passing, 20);  // or refused
@@ -304,6 +305,49 @@ TEST(Candidates, HaveTheChecksFiguresWhereTheyAreTheRobotsOwn) {
   EXPECT_EQ(result.peak_torque_Nm, drive.peak_torque_Nm);
   EXPECT_EQ(result.energy_J, drive.energy_drawn_J - drive.energy_returned_J);
   EXPECT_EQ(result.speed_margin_rad_s, drive.speed_margin_rad_s);
+}
+
+// A drive by its curve draws nobody knows what: no energy of 0 that no winding could beat, and it
+// does not push the others off the front.
+TEST(Candidates, KnownByTheirCurveHaveNoEnergy) {
+  const Robot robot = pendulum(false);
+  Motion motion = swing();
+  const HopperReport report = check_motion(robot, motion, {});
+  actuator::Actuator curve = robot.drivetrains[0].actuators[0];
+  actuator::Envelope envelope;
+  envelope.ratio = curve.transmission.ratio;
+  envelope.peak.greatest = {{-1000.0, 500.0}, {1000.0, 500.0}};
+  envelope.peak.least = {{-1000.0, -500.0}, {1000.0, -500.0}};
+  curve.envelope = envelope;
+  curve.battery.reset();
+  CandidateSet two;
+  two.by_drivetrain = {{{"curve", curve}, {"own", robot.drivetrains[0].actuators[0]}}};
+  const auto results = try_candidates(robot, motion, {}, report, two, 1);
+  ASSERT_EQ(results.size(), 2u);
+  for (const CandidateResult& each : results) {
+    EXPECT_EQ(each.energy_J.has_value(), each.name == "own") << each.name;
+    EXPECT_EQ(each.copper_loss_J.has_value(), each.name == "own") << each.name;
+    EXPECT_EQ(candidate_of(candidate_text(each)).energy_J, each.energy_J);
+  }
+  EXPECT_TRUE(results[0].is_on_front);
+}
+
+// The shelf of `actuator find`. Oracle: the documents of specs/catalogue, read as a folder.
+TEST(Candidates, OfTheCatalogueAreItsDocuments) {
+  const std::string specs = TORQUEWRIGHT_SOURCE_DIR "/specs/";
+  const ReadRobot robot = read_robot(specs + "robot/hopper.json");
+  const CandidateSet shelf = catalogue_candidates(robot, std::nullopt);
+  const CandidateSet folder = read_candidate_set(specs + "catalogue", robot, std::nullopt);
+  ASSERT_EQ(shelf.by_drivetrain.size(), folder.by_drivetrain.size());
+  for (std::size_t i = 0; i < shelf.by_drivetrain.size(); ++i) {
+    ASSERT_EQ(shelf.by_drivetrain[i].size(), folder.by_drivetrain[i].size());
+    for (std::size_t k = 0; k < shelf.by_drivetrain[i].size(); ++k) {
+      EXPECT_EQ(shelf.by_drivetrain[i][k].name, folder.by_drivetrain[i][k].name);
+    }
+  }
+  EXPECT_GE(shelf.by_drivetrain[0].size(), 60u);
+  const CandidateSet geared = catalogue_candidates(robot, read_ratio_sweep("8:9"));
+  EXPECT_EQ(geared.by_drivetrain[0].size(), 2 * shelf.by_drivetrain[0].size());
 }
 
 /// Accelerations of a speed V cos(w t), fitted over `reach` samples of length h on either side:

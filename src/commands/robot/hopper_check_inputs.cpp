@@ -59,6 +59,7 @@ hopper::CandidateSet candidate_set_of(const HopperCheckRequest& request,
   }
   std::optional<hopper::RatioSweep> sweep;
   if (!request.ratios.empty()) sweep = hopper::read_ratio_sweep(request.ratios);
+  if (request.candidates_folder == "catalogue") return hopper::catalogue_candidates(robot, sweep);
   return hopper::read_candidate_set(request.candidates_folder, robot, sweep);
 }
 

@@ -54,16 +54,18 @@ std::string findings_table(const HopperPage& page) {
   return rows.empty() ? "" : page_table("Findings", {"severity", "rule", "what"}, rows);
 }
 
+std::string joules(const std::optional<double>& value_J) {
+  return value_J ? fmt::format("{:.4g} J", *value_J) : "";
+}
+
 std::string candidates_table(const HopperPage& page) {
   std::vector<std::vector<std::string>> rows;
   for (const CandidateResult& result : page.candidates) {
     const auto& names = page.robot.drivetrains[result.drivetrain].actuator_names;
     rows.push_back({fmt::format("{}", fmt::join(names, ", ")), result.name,
                     std::string(actuator::name_of(result.verdict)),
-                    fmt::format("{:.1f} %", 100.0 * result.margin_share),
-                    fmt::format("{:.4g} J", result.energy_J),
-                    fmt::format("{:.4g} J", result.copper_loss_J), result.is_on_front ? "yes" : "",
-                    result.why});
+                    fmt::format("{:.1f} %", 100.0 * result.margin_share), joules(result.energy_J),
+                    joules(result.copper_loss_J), result.is_on_front ? "yes" : "", result.why});
   }
   if (rows.empty()) return "";
   return page_table(

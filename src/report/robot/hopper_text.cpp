@@ -71,11 +71,16 @@ std::string or_unknown(const std::optional<double>& value) {
   return value ? fmt::format("{:.3g}", *value) : "-";
 }
 
+std::string energy_text(const std::optional<double>& value_J) {
+  return value_J ? fmt::format("{:.1f}", *value_J) : "-";
+}
+
 std::string passing_line(const CandidateResult& result) {
-  return fmt::format("  {} {:<30} {:>8.1f} {:>8} {:>8} {:>9.1f} {:>9.1f} {:>8.3g}\n",
+  return fmt::format("  {} {:<30} {:>8.1f} {:>8} {:>8} {:>9} {:>9} {:>8.3g}\n",
                      result.is_on_front ? "*" : " ", result.name, 100.0 * result.margin_share,
                      or_unknown(result.speed_margin_rad_s), or_unknown(result.mass_kg),
-                     result.energy_J, result.copper_loss_J, result.peak_torque_Nm);
+                     energy_text(result.energy_J), energy_text(result.copper_loss_J),
+                     result.peak_torque_Nm);
 }
 
 }  // namespace
