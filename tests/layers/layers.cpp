@@ -76,6 +76,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"check", {"trajectory", "drive_check"}},
       {"catalogue", {"motor", "mor"}},
       {"lint", {"motor", "region"}},
+      {"winding", {"lint", "motor"}},
       {"friction", {"effects", "motor", "heat", "region"}},
       {"source_text", {}},
       {"exporters", {"region", "mor", "conditions", "friction", "source_text"}}}},

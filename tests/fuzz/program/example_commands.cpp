@@ -100,6 +100,7 @@ robot export specs/robot/cassie.json --format urdf
 robot export specs/robot/rabbit.json --format urdf -o rabbit.urdf
 robot export specs/robot/cassie.json --format isaac-lab --actuators -o cassie.py
 robot export specs/robot/mini_cheetah.json --format newton --actuators
+actuator lint specs/catalogue/damiao_j4340.json --current 8
 init actuator -o new.json
 init actuator --envelope -o curve.json
 init actuator --from cubemars_ak80_9
