@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "actuator/exporters/library.hpp"
+#include "actuator/exporters/text.hpp"
+#include "hopper/randomised_files/event_file.hpp"
+#include "hopper/trials/randomisation_spec.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/files/atomic_file.hpp"
 #include "robot/mjcf/mjcf_writer.hpp"
@@ -27,6 +32,7 @@ struct ExportOptions {
   std::string format;
   std::string output_file;
   std::string friction;  ///< Empty: nobody said.
+  std::string randomisation_file;
   hopper::MjcfParts parts;
 };
 
@@ -36,25 +42,47 @@ const actuator::Exporter* actuators_only(const ExportOptions& options) {
   return exporter && exporter->write_all ? exporter : nullptr;
 }
 
+/// A module of Python around an MJCF.
+bool is_module(const ExportOptions& options) { return options.format == "playground"; }
+
 void require_parts(const ExportOptions& options) {
   const hopper::MjcfParts& parts = options.parts;
+  if (!options.randomisation_file.empty() && !hopper::find_event_writer(options.format)) {
+    io::refuse("--randomise",
+               fmt::format("{} has no form for it: these have: {}", options.format,
+                           fmt::join(hopper::randomised_formats(), ", ")));
+  }
   const bool has_mjcf_parts = parts.ground || parts.collisions || parts.closed_loops;
   if (actuators_only(options)) {
     if (has_mjcf_parts) {
-      io::refuse("--format", "--ground, --collisions and --closed-loops are for mjcf");
+      io::refuse("--format",
+                 "--ground, --collisions and --closed-loops are for mjcf and playground");
     }
     if (!parts.actuators) {
       io::refuse("--format",
                  fmt::format("{} holds drives and nothing else: say --actuators", options.format));
     }
   } else if (options.format == "urdf" && (parts.actuators || has_mjcf_parts)) {
-    io::refuse("--format", "--actuators, --ground, --collisions and --closed-loops are for mjcf");
+    io::refuse(
+        "--format",
+        "--actuators, --ground, --collisions and --closed-loops are for mjcf and playground");
   }
 }
 
-hopper::ReadRobot read(const ExportOptions& options) {
+/// The robot, and what varies of it, with the documents of both.
+struct ExportInputs {
+  hopper::ReadRobot robot;
+  std::optional<hopper::ReadRandomisation> randomisation;
+};
+
+ExportInputs read(const ExportOptions& options) {
   require_parts(options);
-  hopper::ReadRobot robot = hopper::read_robot(options.robot_file);
+  ExportInputs inputs{hopper::read_robot(options.robot_file), std::nullopt};
+  hopper::ReadRobot& robot = inputs.robot;
+  if (!options.randomisation_file.empty()) {
+    inputs.randomisation = hopper::read_randomisation(options.randomisation_file);
+    hopper::require_fits(inputs.randomisation->randomisation, robot.robot);
+  }
   if (actuators_only(options) && robot.robot.drivetrains.empty()) {
     throw io::SpecError({{options.robot_file, "/mechanisms",
                           "missing: there are no drives; `torquewright robot attach ROBOT "
@@ -68,21 +96,41 @@ hopper::ReadRobot read(const ExportOptions& options) {
     }
   }
   check_written(named({options.output_file}), {});
-  return robot;
+  return inputs;
 }
 
-hopper::Exported compute(const ExportOptions& options, const hopper::ReadRobot& read) {
+/// The MJCF as a text of Python, under its name.
+hopper::Exported module_of(hopper::Exported mjcf, const std::vector<std::string>& origin) {
+  std::vector<std::string> head = origin;
+  head.emplace_back("mujoco.MjModel.from_xml_string(MJCF), then mujoco.mjx.put_model(model).");
+  mjcf.text = actuator::line_comment(head, "# ") + "MJCF = r\"\"\"" + mjcf.text + "\"\"\"\n";
+  return mjcf;
+}
+
+hopper::Exported without_randomisation(const ExportOptions& options,
+                                       const hopper::ReadRobot& read) {
+  const std::vector<std::string> origin = origin_of("robot export", read.documents);
   if (const actuator::Exporter* exporter = actuators_only(options)) {
-    return hopper::actuators_of(read.robot, *exporter, origin_of("robot export", read.documents),
-                                options.parts.friction);
+    return hopper::actuators_of(read.robot, *exporter, origin, options.parts.friction);
   }
-  return options.format == "urdf" ? hopper::urdf_of(read.robot)
-                                  : hopper::mjcf_of(read.robot, options.parts);
+  if (options.format == "urdf") return hopper::urdf_of(read.robot);
+  hopper::Exported mjcf = hopper::mjcf_of(read.robot, options.parts);
+  return is_module(options) ? module_of(std::move(mjcf), origin) : mjcf;
 }
 
-/// mjcf, urdf, and every simulator that takes the drives of a robot in one file.
+hopper::Exported compute(const ExportOptions& options, const ExportInputs& inputs) {
+  hopper::Exported exported = without_randomisation(options, inputs.robot);
+  if (!inputs.randomisation) return exported;
+  exported.text +=
+      hopper::events_of(*hopper::find_event_writer(options.format),
+                        inputs.randomisation->randomisation, inputs.robot.robot, exported.notes);
+  return exported;
+}
+
+/// mjcf, urdf, a module around an MJCF, and every simulator that takes the drives of a robot in one
+/// file.
 std::vector<std::string> export_formats() {
-  std::vector<std::string> names{"urdf", "mjcf"};
+  std::vector<std::string> names{"urdf", "mjcf", "playground"};
   for (const actuator::Exporter* exporter : actuator::exporter_library()) {
     if (exporter->write_all) names.emplace_back(exporter->name);
   }
@@ -98,8 +146,7 @@ void write(const ExportOptions& options, const hopper::Exported& exported) {
 }
 
 ExitCode run_export(const ExportOptions& options) {
-  const hopper::ReadRobot robot = read(options);
-  write(options, compute(options, robot));
+  write(options, compute(options, read(options)));
   return ExitCode::kPasses;
 }
 
@@ -113,8 +160,8 @@ void add_export_command(command_line::Command& robot) {
   command.add_option("robot", options->robot_file, "Document of kind robot").required();
   command
       .add_option("--format", options->format,
-                  "What is written: urdf, mjcf, or with --actuators isaac-lab, "
-                  "isaac-lab-remotized, mjlab or newton")
+                  "What is written: urdf, mjcf, playground (a module of Python around an MJCF), or "
+                  "with --actuators isaac-lab, isaac-lab-remotized, mjlab or newton")
       .required()
       .one_of(export_formats());
   command.add_flag(
@@ -128,6 +175,11 @@ void add_export_command(command_line::Command& robot) {
       .otherwise("joint")
       .one_of({"joint", "limits"})
       .needs("--actuators");
+  command
+      .add_option("--randomise", options->randomisation_file,
+                  "Document of kind randomisation: write what it draws in the simulator's own form "
+                  "behind the rest (isaac-lab, mjlab, playground)")
+      .otherwise("nothing varies");
   command.add_flag("--ground", options->parts.ground,
                    "MJCF: add a plane, and keyframes of the postures standing on it");
   command.add_flag("--collisions", options->parts.collisions,

@@ -101,6 +101,8 @@ robot export specs/robot/rabbit.json --format urdf -o rabbit.urdf
 robot export specs/robot/cassie.json --format isaac-lab --actuators -o cassie.py
 robot export specs/robot/mini_cheetah.json --format newton --actuators
 actuator lint specs/catalogue/damiao_j4340.json --current 8
+robot export specs/robot/hopper.json --format isaac-lab --actuators --randomise specs/randomisation/hopper.json
+robot export specs/robot/hopper.json --format playground --actuators --randomise specs/randomisation/hopper.json -o hopper.py
 init actuator -o new.json
 init actuator --envelope -o curve.json
 init actuator --from cubemars_ak80_9

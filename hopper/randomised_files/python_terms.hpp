@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+
+#include "actuator/exporters/text.hpp"
+#include "hopper/randomised_files/drawn_parts.hpp"
+
+namespace torquewright::hopper {
+
+/// "(0.9, 1.1)"
+inline std::string python_pair(const Range& range) {
+  return fmt::format("({}, {})", range.least, range.greatest);
+}
+
+/// A dictionary of terms, whose names are of no other.
+class PythonTerms {
+ public:
+  /// `parameters`: lines "key": value, without commas.
+  void add(const std::string& name, std::string_view function, std::string_view mode,
+           const std::vector<std::string>& parameters) {
+    text_ += fmt::format("    \"{}_{}\": EventTermCfg(\n        func={},\n        mode=\"{}\",\n",
+                         name, count_++, function, mode);
+    text_ += "        params={\n";
+    for (const std::string& each : parameters) text_ += "            " + each + ",\n";
+    text_ += "        },\n    ),\n";
+  }
+  std::string text() const { return "EVENTS = {\n" + text_ + "}\n"; }
+
+ private:
+  std::string text_;
+  int count_ = 0;
+};
+
+/// `"asset_cfg": SceneEntityCfg("robot", body_names=[...])`
+inline std::string asset(std::string_view of, const std::vector<std::string>& names) {
+  return fmt::format("\"asset_cfg\": SceneEntityCfg(\"robot\", {}=[{}])", of,
+                     actuator::python_expressions(names));
+}
+
+}  // namespace torquewright::hopper

@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs an exported module with stand-ins of what it calls, and prints what it found as JSON.
+
+    event_stand_ins.py isaac-lab|mjlab|playground MODULE SHARE
+
+SHARE is what every draw gives of its range's width: 0 the least, 1 the greatest."""
+import json
+import sys
+import types
+
+import numpy
+
+
+def module(name, **members):
+    made = types.ModuleType(name)
+    made.__dict__.update(members)
+    sys.modules[name] = made
+    return made
+
+
+class Named:
+    """A function by its name: which ones there are is the simulator's affair."""
+
+    def __init__(self, of):
+        self.of = of
+
+    def __getattr__(self, name):
+        return f"{self.of}.{name}"
+
+
+def scene_entity(name, **filters):
+    return {"name": name, **filters}
+
+
+def term(func, mode, params):
+    return {"func": func if isinstance(func, str) else func.__name__, "mode": mode,
+            "params": params}
+
+
+def print_events(space):
+    print(json.dumps(space["EVENTS"]))
+
+
+class Indexed:
+    def __init__(self, array, index):
+        self.array, self.index = array, index
+
+    def _with(self, value):
+        changed = numpy.array(self.array.values)
+        changed[self.index] = value
+        return Array(changed)
+
+    def set(self, value):
+        return self._with(value)
+
+    def add(self, value):
+        return self._with(self.array.values[self.index] + value)
+
+    def multiply(self, value):
+        return self._with(self.array.values[self.index] * value)
+
+
+class At:
+    def __init__(self, array):
+        self.array = array
+
+    def __getitem__(self, index):
+        return Indexed(self.array, index)
+
+
+class Array:
+    """As much of jax.Array as is called."""
+
+    def __init__(self, values):
+        self.values = numpy.array(values, dtype=float)
+        self.at = At(self)
+
+    def __mul__(self, factor):
+        return Array(self.values * factor)
+
+
+class Model:
+    def __init__(self, **fields):
+        self.fields = fields
+
+    def __getattr__(self, name):
+        return self.fields[name]
+
+    def tree_replace(self, fields):
+        return Model(**{**self.fields, **fields})
+
+
+def print_drawn(space, share):
+    import re
+
+    bodies = ["world"] + re.findall(r'<body name="([^"]*)"', space["MJCF"])
+    joints = re.findall(r'<joint name="([^"]*)"', space["MJCF"])
+
+    class Names:
+        @staticmethod
+        def body(name):
+            return types.SimpleNamespace(id=bodies.index(name))
+
+        @staticmethod
+        def joint(name):
+            return types.SimpleNamespace(dofadr=[joints.index(name)])
+
+    module("mujoco", MjModel=types.SimpleNamespace(from_xml_string=lambda text: Names))
+    random = types.SimpleNamespace(
+        split=lambda rng: (rng, rng),
+        uniform=lambda key, minval, maxval: minval + share * (maxval - minval))
+    module("jax", vmap=lambda function: function, random=random,
+           tree_util=types.SimpleNamespace(
+               tree_map=lambda function, model: Model(**{k: function(v) for k, v in
+                                                         model.fields.items()})))
+    count = len(bodies)
+    model = Model(body_mass=Array([2.0] * count), body_inertia=Array([[1.0, 2.0, 3.0]] * count),
+                  body_ipos=Array([[0.0, 0.0, 0.0]] * count),
+                  dof_frictionloss=Array([0.1] * len(joints)),
+                  geom_friction=Array([[1.0, 0.005, 0.0001]] * 2),
+                  actuator_ctrlrange=Array([[-48.0, 48.0]] * 2), opt=Array([0.0]))
+    drawn, axes = space["domain_randomize"](model, 0)
+    print(json.dumps({"bodies": bodies, "joints": joints, "axes": axes.fields,
+                      "fields": {name: value.values.tolist()
+                                 for name, value in drawn.fields.items()}}))
+
+
+def print_friction(space, share):
+    """add_dry_friction on two joints of an asset."""
+    class Tensor:
+        def __init__(self, values):
+            self.values = numpy.array(values, dtype=float)
+
+        def __getitem__(self, index):
+            return self.values[index]
+
+    written = {}
+    module("torch", arange=lambda count, device: numpy.arange(count), int=int,
+           tensor=lambda values, dtype, device: numpy.array(values),
+           rand=lambda rows, columns, device: numpy.full((rows, columns), share))
+    data = types.SimpleNamespace(joint_friction_coeff=Tensor([[0.5, 0.6]]),
+                                 joint_dynamic_friction_coeff=Tensor([[0.4, 0.5]]),
+                                 joint_viscous_friction_coeff=Tensor([[0.01, 0.02]]))
+    asset = types.SimpleNamespace(
+        device="cpu", num_joints=2, data=data,
+        write_joint_friction_coefficient_to_sim_index=lambda **values: written.update(values))
+
+    class Scene(dict):
+        num_envs = 1
+
+    class PhysxManager:
+        pass
+
+    env = types.SimpleNamespace(scene=Scene(robot=asset),
+                                sim=types.SimpleNamespace(physics_manager=PhysxManager))
+    space["add_dry_friction"](env, None, types.SimpleNamespace(name="robot", joint_ids=[0, 1]),
+                              (0.2, 0.4))
+    print(json.dumps({name: numpy.array(value).tolist() for name, value in written.items()}))
+
+
+def main():
+    simulator, file, share = sys.argv[1], sys.argv[2], float(sys.argv[3])
+    for name in ("isaaclab", "isaaclab.actuators", "mjlab", "mjlab.actuator", "mjlab.managers"):
+        module(name).__getattr__ = lambda name: lambda **values: values
+    module("isaaclab.envs", mdp=Named("mdp"))
+    module("isaaclab.managers", EventTermCfg=term, SceneEntityCfg=scene_entity)
+    module("mjlab.envs", mdp=Named("mdp"))
+    module("mjlab.envs.mdp", dr=Named("dr"))
+    module("mjlab.managers.event_manager", EventTermCfg=term)
+    module("mjlab.managers.scene_entity_config", SceneEntityCfg=scene_entity)
+    space = {}
+    with open(file, encoding="utf-8") as text:
+        exec(text.read(), space)
+    if simulator == "playground":
+        print_drawn(space, share)
+    else:
+        print_events(space)
+    if "add_dry_friction" in space:
+        print_friction(space, share)
+
+
+main()
