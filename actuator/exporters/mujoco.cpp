@@ -11,6 +11,8 @@
 // refsafe, on by default).
 #include <fmt/format.h>
 
+#include <numbers>
+
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/fit.hpp"
 #include "actuator/exporters/line_law.hpp"
@@ -21,6 +23,30 @@ namespace {
 
 Shape shape(const Subject& subject) { return fitted(subject, mujoco, line_start(subject)); }
 
+// Gains of a servo that is told angles, where nobody tuned any: those of mjlab's robots,
+// src/mjlab/asset_zoo/robots/unitree_g1/g1_constants.py @ 0234b2e9, kp = I w^2 and kv = 2 z I w of
+// the drive's own inertia I, w = 2 pi 10 Hz and z = 2.
+constexpr double kServo_rad_s = 2.0 * std::numbers::pi * 10.0;
+constexpr double kServoDamping = 2.0;
+
+/// A <position> that may stand in the place of the <general>.
+std::string servo(const Subject& subject, double greatest_torque_Nm) {
+  const double inertia_kg_m2 = subject.armature_kg_m2();
+  if (!(inertia_kg_m2 > 0.0)) {
+    return "    <!-- For angles, <position>: no gains, the document states no inertia of the "
+           "rotor. "
+           "-->\n";
+  }
+  return fmt::format(
+      R"(    <!-- For angles, in the place of <general>; its force range knows no speed. kp = I w^2, kv = 2 z I w
+      of the armature, w = 2 pi 10 Hz, z = 2 (mjlab, unitree_g1/g1_constants.py @ 0234b2e9):
+    <position joint="joint" kp="{0}" kv="{1}" forcelimited="true" forcerange="{2} {3}"/>
+      2.2.2 knows no kv: there it is added to the joint's damping. -->
+)",
+      inertia_kg_m2 * kServo_rad_s * kServo_rad_s,
+      2.0 * kServoDamping * inertia_kg_m2 * kServo_rad_s, -greatest_torque_Nm, greatest_torque_Nm);
+}
+
 std::string write(const Subject& subject, std::span<const double> shape,
                   const std::vector<std::string>& note) {
   const Parallelogram line = parallelogram_of(shape);
@@ -28,7 +54,9 @@ std::string write(const Subject& subject, std::span<const double> shape,
   const double gain_Nm_V = line.stall_torque_Nm / bus_V;
   const double bias_Nm_s_rad = -line.stall_torque_Nm / line.no_load_speed_rad_s;
   const JointFriction friction = subject.friction.value_or(JointFriction{});
-  return xml_comment(note) + fmt::format(R"(<mujoco model={0}>
+  return xml_comment(note) +
+         fmt::format(
+             R"(<mujoco model={0}>
   <compiler angle="radian"/>
   <worldbody>
     <body name="link">
@@ -39,15 +67,13 @@ std::string write(const Subject& subject, std::span<const double> shape,
   <actuator>
     <general name={0} joint="joint" gear="1" gaintype="fixed" gainprm="{2}" biastype="affine"
       biasprm="0 0 {3}" ctrllimited="true" ctrlrange="{4} {5}" forcelimited="true" forcerange="{6} {7}"/>
-  </actuator>
+{11}  </actuator>
 </mujoco>
 )",
-                                         xml_quoted(subject.actuator.name),
-                                         armature_attribute(subject.armature_kg_m2()), gain_Nm_V,
-                                         bias_Nm_s_rad, -bus_V, bus_V, -line.greatest_torque_Nm,
-                                         line.greatest_torque_Nm, friction.viscous_Nm_s_rad,
-                                         friction.coulomb_Nm,
-                                         friction_constraint(friction.coulomb_Nm));
+             xml_quoted(subject.actuator.name), armature_attribute(subject.armature_kg_m2()),
+             gain_Nm_V, bias_Nm_s_rad, -bus_V, bus_V, -line.greatest_torque_Nm,
+             line.greatest_torque_Nm, friction.viscous_Nm_s_rad, friction.coulomb_Nm,
+             friction_constraint(friction.coulomb_Nm), servo(subject, line.greatest_torque_Nm));
 }
 
 }  // namespace
