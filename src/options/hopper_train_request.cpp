@@ -30,6 +30,14 @@ void add_task_options(command_line::Command& command, HopperTrainRequest& reques
       .add_option("--randomise", request.randomise_file,
                   "Document of kind randomisation, which says what differs from episode to episode")
       .otherwise("what the task says of the start alone");
+  command.add_flag("--curriculum", request.eases,
+                   "Go by none of what --randomise says of bodies, ground, gains and sensors at "
+                   "first, by half and by all of it as soon as 8 of 10 judged runs do the task");
+  command
+      .add_option("--reference", request.reference_file,
+                  "Motion, as hopper flip writes it, on the way through which half of the episodes "
+                  "begin, its flight laid on the task's")
+      .otherwise("none: all begin where the task does");
   add_operating_options(command, request.operating);
 }
 

@@ -16,6 +16,8 @@ struct HopperTrainRequest {
   std::string limits = "mor";
   std::string engine = "own";
   std::string randomise_file;
+  bool eases = false;  ///< Whether the randomisation comes by and by.
+  std::string reference_file;
   OperatingOptions operating;
   double seconds = 600.0;
   std::uint64_t iterations = 0;  ///< 0: as many as the time allows.

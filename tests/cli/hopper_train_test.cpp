@@ -128,6 +128,9 @@ TEST_F(HopperTrain, RefusesWhatCannotBe) {
   says({"hopper", "train", robot, "-o", "p.json", "--task", "brief.json", "--resume"},
        "p.json.training");
   says({"hopper", "train", in_repository("specs/robot/rabbit.json").string(), "-o", "p.json"}, "");
+  says({"hopper", "train", robot, "-o", "p.json", "--curriculum"}, "--randomise");
+  const std::string squat = in_repository("specs/trajectory/hopper_squat.csv").string();
+  says({"hopper", "train", robot, "-o", "p.json", "--reference", squat}, "never leaves the ground");
   says({"hopper", "replay", robot, in_repository("specs/trajectory/hopper_squat.csv").string(),
         "--forward", "1"},
        "--forward");

@@ -52,7 +52,7 @@ class HopperEnvironment::Work {
  public:
   Work(const ReadyTask& ready, const EpisodeOptions& options)
       : ready_(ready),
-        options_(options),
+        options_(&options),
         ends_(reference_of_ends(ready)),
         drives_(ready.robot, {options.limits, options.conditions, {}}),
         steps_per_control_(std::max(
@@ -62,26 +62,31 @@ class HopperEnvironment::Work {
         last_control_(std::lround(ready.task.duration_s / ready.task.control_period_s)),
         acting_(ready.robot, ready.skill) {}
 
+  void go_by(const EpisodeOptions& options) { options_ = &options; }
+
   void begin(std::uint64_t seed, std::uint64_t episode) {
-    trial_ = draw_trial(options_.randomisation, ready_.robot, seed, episode);
+    trial_ = draw_trial(options_->randomisation, ready_.robot, seed, episode);
     key_ = mixed_in(mixed_in(seed, episode), "episode");
-    noise_.emplace(options_.randomisation.noise, ready_.robot.tree, seed, episode);
+    noise_.emplace(options_->randomisation.noise, ready_.robot.tree, seed, episode);
     prepare();
-    const RunStart start = start_of(moved_robot_, ends_, trial_);
+    const MidState start = drawn_start();
     is_over_ = !moved_->start(start.position, start.velocity);
     latency_steps_ = std::lround(trial_.latency_s / step_s_);
     end_ = {};
     end_.episode = episode;
-    step_ = control_ = 0;
+    end_.was_whole = start.control == 0;
+    control_ = start.control;
+    step_ = first_step_ = control_ * steps_per_control_;
     look_number_ = 0;
     cut_steps_ = 0;
     air_s_ = 0.0;
     looks_.clear();
     acting_.start(command());
     builder_.emplace(ready_, moved_->body(), command());
+    if (!end_.was_whole) builder_->begin_on_the_way(time_s(), start.turned_rad);
     look();
     look();
-    acting_.see(0.0, newest_look());
+    acting_.see(time_s(), newest_look());
   }
 
   void observe(Eigen::Ref<VectorXd> actor, Eigen::Ref<VectorXd> critic) const {
@@ -95,9 +100,8 @@ class HopperEnvironment::Work {
     builder_->begin(action);
     for (long i = 0; i < steps_per_control_ && !is_over_; ++i) advance();
     ++control_;
-    const RewardInstant& at =
-        builder_->finish(static_cast<double>(control_) * ready_.task.control_period_s, is_over_,
-                         moved_->body(), ground_m());
+    builder_->follow(followed());
+    const RewardInstant& at = builder_->finish(time_s(), is_over_, moved_->body(), ground_m());
     note(at);
     learning::Outcome outcome;
     outcome.rewards = rewards_of(ready_.rewards, at);
@@ -105,7 +109,7 @@ class HopperEnvironment::Work {
     outcome.ended = is_over_;
     outcome.cut = !is_over_ && control_ >= last_control_;
     if (outcome.ended || outcome.cut) end_episode(at);
-    acting_.see(static_cast<double>(control_) * ready_.task.control_period_s, newest_look());
+    acting_.see(time_s(), newest_look());
     return outcome;
   }
 
@@ -114,6 +118,32 @@ class HopperEnvironment::Work {
 
  private:
   double ground_m() const { return trial_.ground_height_m; }
+  double time_s() const { return static_cast<double>(control_) * ready_.task.control_period_s; }
+
+  /// What the reference has now; null: there is none, or it says nothing of this time.
+  const MidState* followed() const {
+    const auto& states = options_->mid_states;
+    if (!states || states->empty()) return nullptr;
+    const long place = control_ - states->front().control;
+    if (place < 0 || place >= static_cast<long>(states->size())) return nullptr;
+    return &(*states)[static_cast<std::size_t>(place)];
+  }
+
+  /// Where the task begins, or a state on the way through its reference.
+  MidState drawn_start() const {
+    const auto& on_the_way = options_->mid_states;
+    if (on_the_way && !on_the_way->empty() &&
+        uniform_of(mixed_in(key_, "on the way")) < options_->mid_share) {
+      const double place =
+          uniform_of(mixed_in(key_, "where")) * static_cast<double>(on_the_way->size());
+      MidState start =
+          (*on_the_way)[std::min(static_cast<std::size_t>(place), on_the_way->size() - 1)];
+      start.position[moved_robot_.tree.base == dynamics::BaseKind::kPlanar ? 1 : 2] += ground_m();
+      return start;
+    }
+    RunStart start = start_of(moved_robot_, ends_, trial_);
+    return {0, std::move(start.position), std::move(start.velocity), 0.0};
+  }
 
   Command command() const {
     Command command;
@@ -125,26 +155,26 @@ class HopperEnvironment::Work {
 
   /// Robot, engine and drives of the episode; those of the one before where nothing differs.
   void prepare() {
-    const bool is_fresh = !moved_ || has_other_bodies(options_.randomisation);
+    const bool is_fresh = !moved_ || has_other_bodies(options_->randomisation);
     Trial bodies = trial_;
     bodies.bus_voltage_factor = 1.0;
     PoweredDriveOptions powered{
-        options_.limits,
-        conditions_of(trial_, voltage_as_condition(ready_.robot, trial_, options_.conditions)),
+        options_->limits,
+        conditions_of(trial_, voltage_as_condition(ready_.robot, trial_, options_->conditions)),
         trial_.further_friction_Nm};
     if (is_fresh) {
       moved_.reset();
       moved_robot_ = without_free_rotors(perturbed(ready_.robot, bodies));
-    } else if (!options_.randomisation.ground_height_m && !differs_in_drives()) {
+    } else if (!options_->randomisation.ground_height_m && !differs_in_drives()) {
       return;
     }
     EngineOptions on;
     on.ground_height_m = ground_m();
-    moved_.emplace(moved_robot_, *options_.engine, on, drives_.under(powered));
+    moved_.emplace(moved_robot_, *options_->engine, on, drives_.under(powered));
   }
 
   bool differs_in_drives() const {
-    const Randomisation& from = options_.randomisation;
+    const Randomisation& from = options_->randomisation;
     return !from.further_friction_Nm.empty() || from.state_of_charge || from.bus_voltage_factor ||
            from.winding_temperature_K;
   }
@@ -227,15 +257,16 @@ class HopperEnvironment::Work {
     end_.fell = is_over_;
     end_.time_s = at.time_s;
     end_.turned_rad = at.turned_rad;
-    end_.clipped_share =
-        step_ > 0 ? static_cast<double>(cut_steps_) / static_cast<double>(step_) : 0.0;
+    end_.clipped_share = step_ > first_step_ ? static_cast<double>(cut_steps_) /
+                                                   static_cast<double>(step_ - first_step_)
+                                             : 0.0;
     end_.did = !is_over_ && std::abs(at.turned_rad - goal.turn_rad) <= kTurnTolerance_rad &&
                end_.flights >= goal.least_flights && end_.flights <= goal.most_flights;
     ended_.push_back(end_);
   }
 
   const ReadyTask& ready_;
-  const EpisodeOptions& options_;
+  const EpisodeOptions* options_;
   Reference ends_;
   PoweredDrives drives_;
   long steps_per_control_;
@@ -252,6 +283,7 @@ class HopperEnvironment::Work {
   std::uint64_t look_number_ = 0;
   long latency_steps_ = 0;
   long step_ = 0;
+  long first_step_ = 0;
   long control_ = 0;
   long cut_steps_ = 0;
   double air_s_ = 0.0;
@@ -270,6 +302,8 @@ learning::Sizes HopperEnvironment::sizes(const ReadyTask& ready) {
   return {inputs, inputs + static_cast<int>(InstantBuilder::privileged_count(ready.robot)),
           static_cast<int>(ready.skill.outputs.size()), kRewardHeads};
 }
+
+void HopperEnvironment::go_by(const EpisodeOptions& options) { work_->go_by(options); }
 
 void HopperEnvironment::begin(std::uint64_t seed, std::uint64_t episode) {
   work_->begin(seed, episode);

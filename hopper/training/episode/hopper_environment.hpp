@@ -9,6 +9,7 @@
 
 #include "hopper/engines/engine_kind.hpp"
 #include "hopper/replay/powered_drive_options.hpp"
+#include "hopper/training/episode/mid_motion.hpp"
 #include "hopper/training/task/ready_task.hpp"
 #include "hopper/trials/randomisation.hpp"
 #include "learning/environment.hpp"
@@ -21,13 +22,17 @@ struct EpisodeOptions {
   DriveLimits limits = DriveLimits::kMor;
   actuator::OperatingConditions conditions;
   Randomisation randomisation;  ///< What differs by episode; has passed require_fits().
+  /// Where episodes begin in the middle of a motion; empty: all begin where the task does.
+  std::shared_ptr<const std::vector<MidState>> mid_states;
+  double mid_share = 0.5;  ///< Of episodes that begin there.
 };
 
 /// How an episode came to its end.
 struct EpisodeEnd {
   std::uint64_t episode = 0;
-  bool fell = false;   ///< A body came to the ground, a gear broke or the engine stopped.
-  std::string reason;  ///< Why; empty where its time was up.
+  bool was_whole = true;  ///< It began where the task does, not in the middle of a motion.
+  bool fell = false;      ///< A body came to the ground, a gear broke or the engine stopped.
+  std::string reason;     ///< Why; empty where its time was up.
   double time_s = 0.0;
   double turned_rad = 0.0;      ///< Of the base about +y.
   int flights = 0;              ///< Losses of contact of at least kCountedFlight_s.
@@ -47,6 +52,9 @@ class HopperEnvironment final : public learning::Environment {
 
   static learning::Sizes sizes(const ReadyTask& ready);
 
+  /// From the next episode on. Of these options only what differs by episode may be other than
+  /// those that it was made with; they must outlive it.
+  void go_by(const EpisodeOptions& options);
   void begin(std::uint64_t seed, std::uint64_t episode) override;
   void observe(Eigen::Ref<Eigen::VectorXd> actor,
                Eigen::Ref<Eigen::VectorXd> critic) const override;

@@ -8,6 +8,7 @@
 
 #include "dynamics/momentum.hpp"
 #include "dynamics/point.hpp"
+#include "hopper/verdict/turn.hpp"
 #include "robot/model/touching_point.hpp"
 
 namespace torquewright::hopper {
@@ -61,6 +62,19 @@ InstantBuilder::InstantBuilder(const ReadyTask& ready, WholeBody& body, const Co
   began_ = before_ = body.state().motion(0).R_WB;
   set_state(body, 0.0);
   at_.joint_rad_s_before = at_.joint_rad_s;
+}
+
+void InstantBuilder::begin_on_the_way(double time_s, double turned_rad) {
+  at_.time_s = time_s;
+  at_.turned_rad = turned_rad;
+  began_ = base_attitude(ready_.robot.tree, ready_.start_position);
+}
+
+void InstantBuilder::follow(const MidState* state) {
+  at_.followed_rad.resize(state == nullptr ? 0 : at_.reference_rad.size());
+  if (state == nullptr) return;
+  at_.followed_rad = state->position.tail(at_.reference_rad.size());
+  at_.followed_turn_rad = state->turned_rad;
 }
 
 void InstantBuilder::begin(const Eigen::Ref<const VectorXd>& action) {

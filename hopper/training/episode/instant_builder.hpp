@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "hopper/training/episode/mid_motion.hpp"
 #include "hopper/training/episode/moved_robot.hpp"
 #include "hopper/training/task/ready_task.hpp"
 #include "hopper/trials/trial.hpp"
@@ -13,6 +14,10 @@ class InstantBuilder {
   /// At an episode's begin, with the robot as it stands there. The task must outlive it.
   InstantBuilder(const ReadyTask& ready, WholeBody& body, const Command& command);
 
+  /// Of an episode that begins on the way through a motion: how late, and how far it has turned.
+  void begin_on_the_way(double time_s, double turned_rad);
+  /// What the motion that is followed has at the end of this control step; null: nothing.
+  void follow(const MidState* state);
   void begin(const Eigen::Ref<const Eigen::VectorXd>& action);
   void note_step(MovedRobot& robot, double step_s);
   /// Ends the control step at that time after the begin.

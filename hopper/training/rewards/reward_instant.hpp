@@ -48,6 +48,9 @@ struct RewardInstant {
   Eigen::Vector2d mass_offset_m = Eigen::Vector2d::Zero();
   /// By drive, before its mesh: mean of |J^T lambda / dt| over the control step.
   Eigen::VectorXd load_Nm;
+  /// Joints and turn of the base that the followed motion has at this time; without joints: none.
+  Eigen::VectorXd followed_rad;
+  double followed_turn_rad = 0.0;
   bool fell = false;  ///< A body that is no foot came to the ground in the step.
 
   bool is_in_air() const { return !touches.any(); }

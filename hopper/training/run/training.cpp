@@ -15,33 +15,17 @@
 #include <vector>
 
 #include "hopper/skill/policy_controller.hpp"
+#include "hopper/training/run/staged_copy.hpp"
 #include "hopper/training/task/task_ends.hpp"
+#include "hopper/trials/eased.hpp"
 #include "hopper/verdict/turn.hpp"
 #include "learning/training/trainer.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
+constexpr const char* kTitle = "torquewright training 2";
 constexpr std::uint64_t kJudgingSeed = 0x6a756467;  // its runs are none of the episodes
-
-/// An environment that its training can still ask once the trainer owns it.
-class WatchedEnvironment final : public learning::Environment {
- public:
-  explicit WatchedEnvironment(std::shared_ptr<HopperEnvironment> inner)
-      : inner_(std::move(inner)) {}
-
-  void begin(std::uint64_t seed, std::uint64_t episode) override { inner_->begin(seed, episode); }
-  void observe(Eigen::Ref<Eigen::VectorXd> actor,
-               Eigen::Ref<Eigen::VectorXd> critic) const override {
-    inner_->observe(actor, critic);
-  }
-  learning::Outcome act(const Eigen::Ref<const Eigen::VectorXd>& action) override {
-    return inner_->act(action);
-  }
-
- private:
-  std::shared_ptr<HopperEnvironment> inner_;
-};
 
 learning::TrainerOptions trainer_options(const ReadyTask& ready, const TrainingOptions& options) {
   const TaskLearning& learning = ready.task.learning;
@@ -76,7 +60,20 @@ EpisodeOptions with_start_of(const Task& task, EpisodeOptions episodes) {
   return episodes;
 }
 
-void add_means(const std::vector<EpisodeEnd>& ends, TrainingProgress& progress) {
+/// What episodes go by, share of the randomisation after share.
+std::vector<EpisodeOptions> stages_of(const ReadyTask& ready, const TrainingOptions& options) {
+  std::vector<EpisodeOptions> stages;
+  for (const double share : options.shares) {
+    stages.push_back(with_start_of(ready.task, options.episodes));
+    Randomisation& from = stages.back().randomisation;
+    from = eased(std::move(from), ready.robot, share);
+  }
+  return stages;
+}
+
+/// Those that began where the task does: of the others a turn or a success says nothing.
+void add_means(std::vector<EpisodeEnd> ends, TrainingProgress& progress) {
+  std::erase_if(ends, [](const EpisodeEnd& end) { return !end.was_whole; });
   progress.episodes = ends.size();
   if (ends.empty()) return;
   const double share = 1.0 / static_cast<double>(ends.size());
@@ -102,32 +99,63 @@ void add_returns(TrainingProgress& progress) {
 
 struct Training::State {
   State(const ReadyTask& task, const TrainingOptions& with)
-      : ready(task), options(with), episodes(with_start_of(task.task, with.episodes)) {
+      : ready(task), options(with), stages(stages_of(task, with)) {
     const auto make = [this](int) {
-      environments.push_back(std::make_shared<HopperEnvironment>(ready, episodes));
-      return std::make_unique<WatchedEnvironment>(environments.back());
+      copies.push_back(std::make_shared<StagedCopy>());
+      copies.back()->environment = std::make_unique<HopperEnvironment>(ready, stages.front());
+      return staged_environment(copies.back(), stages);
     };
     trainer = std::make_unique<learning::Trainer>(HopperEnvironment::sizes(ready), make,
                                                   trainer_options(ready, options));
   }
 
   void judge(TrainingProgress& progress) {
-    progress.judged = judged(ready, episodes, trainer->policy(), kJudgingSeed, options.judged_runs);
-    const auto key = std::make_tuple(progress.judged->succeeded,
+    progress.judged =
+        judged(ready, stages[stage], trainer->policy(), kJudgingSeed, options.judged_runs);
+    const auto key = std::make_tuple(stage, progress.judged->succeeded,
                                      progress.motion_return + progress.barrier_return);
-    if (best && key <= std::make_tuple(best_judgement.succeeded, best_return)) return;
-    best = trainer->policy();
-    best_judgement = *progress.judged;
-    best_return = std::get<1>(key);
-    progress.is_best = true;
+    if (!best || key > std::make_tuple(best_stage, best_judgement.succeeded, best_return)) {
+      best = trainer->policy();
+      best_judgement = *progress.judged;
+      std::tie(best_stage, std::ignore, best_return) = key;
+      progress.is_best = true;
+    }
+  }
+
+  void advance_by(const Judgement& judgement) {
+    const double share =
+        static_cast<double>(judgement.succeeded) / static_cast<double>(judgement.runs);
+    if (stage + 1 < stages.size() && share >= options.advancing_share) ask_for(stage + 1);
+  }
+
+  /// Asks for the stages in which the open episodes began, and returns that of the next ones.
+  std::size_t ask_for_saved(const std::string& line) {
+    std::istringstream words(line);
+    const auto read = [&] {
+      std::size_t of = 0;
+      if (!(words >> of) || of >= stages.size()) {
+        throw std::invalid_argument("went by other shares of the randomisation");
+      }
+      return of;
+    };
+    const std::size_t next = read();
+    for (const auto& copy : copies) copy->asked_stage = read();
+    return next;
+  }
+
+  void ask_for(std::size_t next) {
+    stage = next;
+    for (const auto& copy : copies) copy->asked_stage = next;
   }
 
   const ReadyTask& ready;
   TrainingOptions options;
-  EpisodeOptions episodes;
-  std::vector<std::shared_ptr<HopperEnvironment>> environments;
+  std::vector<EpisodeOptions> stages;
+  std::size_t stage = 0;
+  std::vector<std::shared_ptr<StagedCopy>> copies;
   std::unique_ptr<learning::Trainer> trainer;
   std::optional<learning::Policy> best;
+  std::size_t best_stage = 0;
   Judgement best_judgement;
   double best_return = -std::numeric_limits<double>::infinity();
   TrainingProgress last;  ///< Of the last iteration, not judged.
@@ -139,16 +167,20 @@ Training::~Training() = default;
 
 TrainingProgress Training::iterate() {
   TrainingProgress progress;
+  progress.randomised_share = state_->options.shares[state_->stage];
   progress.learned = state_->trainer->iterate();
   std::vector<EpisodeEnd> ends;
-  for (const auto& environment : state_->environments) {
-    std::vector<EpisodeEnd> ended = environment->take_ended();
+  for (const auto& copy : state_->copies) {
+    std::vector<EpisodeEnd> ended = copy->environment->take_ended();
     std::move(ended.begin(), ended.end(), std::back_inserter(ends));
   }
-  add_means(ends, progress);
+  add_means(std::move(ends), progress);
   add_returns(progress);
   state_->last = progress;
-  if (progress.learned.iteration % state_->options.judged_every == 0) state_->judge(progress);
+  if (progress.learned.iteration % state_->options.judged_every == 0) {
+    state_->judge(progress);
+    state_->advance_by(*progress.judged);
+  }
   return progress;
 }
 
@@ -163,24 +195,31 @@ const Judgement& Training::best_judgement() const { return state_->best_judgemen
 const learning::Policy& Training::policy() const { return state_->trainer->policy(); }
 
 void Training::save(std::ostream& out) const {
-  out << "torquewright training 1\n"
-      << state_->best_judgement.succeeded << " " << state_->best_judgement.runs << " "
-      << std::hexfloat << state_->best_return << std::defaultfloat << "\n";
+  out << kTitle << "\n"
+      << state_->best_stage << " " << state_->best_judgement.succeeded << " "
+      << state_->best_judgement.runs << " " << std::hexfloat << state_->best_return
+      << std::defaultfloat << "\n"
+      << state_->stage;
+  for (const auto& copy : state_->copies) out << " " << copy->stage;
+  out << "\n";
   state_->trainer->save(out);
 }
 
 void Training::restore(std::istream& in) {
-  std::string title, numbers;
+  std::string title, numbers, stages;
   std::getline(in, title);
   std::getline(in, numbers);
-  if (title != "torquewright training 1") {
-    throw std::invalid_argument("holds no state of a training");
-  }
+  std::getline(in, stages);
+  if (title != kTitle) throw std::invalid_argument("holds no state of a training");
   std::istringstream words(numbers);
   Judgement best;
   std::string best_return;
-  words >> best.succeeded >> best.runs >> best_return;
+  std::size_t best_stage = 0;
+  words >> best_stage >> best.succeeded >> best.runs >> best_return;
+  const std::size_t stage = state_->ask_for_saved(stages);
   state_->trainer->restore(in);
+  state_->ask_for(stage);
+  state_->best_stage = best_stage;
   state_->best_judgement = best;
   state_->best_return = std::strtod(best_return.c_str(), nullptr);
   // The best policy itself stands in its document already.

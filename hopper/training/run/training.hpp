@@ -6,6 +6,7 @@
 #include <iosfwd>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "hopper/policy/policy_document.hpp"
 #include "hopper/replay/replay.hpp"
@@ -20,6 +21,10 @@ struct TrainingOptions {
   int threads = 1;               ///< Changes no byte of the result.
   int judged_every = 10;         ///< Iterations between two judgements.
   std::size_t judged_runs = 10;  ///< Runs of each.
+  /// Shares of the randomisation that episodes and judgements go by, one after the other: the next
+  /// once `advancing_share` of a judgement's runs have done the task.
+  std::vector<double> shares = {1.0};
+  double advancing_share = 0.8;
 };
 
 /// What became of a policy in runs of `hopper replay`, in the engine that it is trained in.
@@ -42,6 +47,7 @@ struct TrainingProgress {
   double peak_cav_rad_s = 0.0;
   double motion_return = 0.0;
   double barrier_return = 0.0;
+  double randomised_share = 1.0;    ///< Of the randomisation, in this iteration.
   std::optional<Judgement> judged;  ///< Where it was an iteration to be judged.
   bool is_best = false;             ///< Whether best() is that of this iteration.
 };
@@ -61,8 +67,9 @@ class Training {
   /// Judges the policy as it is, between two iterations.
   TrainingProgress judge_now();
 
-  /// The policy with the most successes when it was judged, of equals that of the greatest return
-  /// before it; none before the first judgement.
+  /// The policy with the most successes when it was judged under the greatest share of the
+  /// randomisation, of equals that of the greatest return before it; none before the first
+  /// judgement.
   const std::optional<learning::Policy>& best() const;
   const Judgement& best_judgement() const;
   const learning::Policy& policy() const;

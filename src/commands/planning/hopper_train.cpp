@@ -9,6 +9,8 @@
 #include <stdexcept>
 
 #include "hopper/engines/library.hpp"
+#include "hopper/motion/motion_reader.hpp"
+#include "hopper/motion/slopes.hpp"
 #include "hopper/policy/policy_spec.hpp"
 #include "hopper/training/run/training.hpp"
 #include "hopper/training/task/task_spec.hpp"
@@ -81,6 +83,10 @@ class TrainingRun {
   }
 
  private:
+  hopper::DriveLimits limits() const {
+    return request_.limits == "box" ? hopper::DriveLimits::kBox : hopper::DriveLimits::kMor;
+  }
+
   hopper::TrainingOptions options() const {
     hopper::TrainingOptions options;
     hopper::EpisodeOptions& episodes = options.episodes;
@@ -88,18 +94,33 @@ class TrainingRun {
     if (episodes.engine->absence != nullptr) {
       if (const auto absence = episodes.engine->absence()) io::refuse("--engine", *absence);
     }
-    episodes.limits =
-        request_.limits == "box" ? hopper::DriveLimits::kBox : hopper::DriveLimits::kMor;
+    episodes.limits = limits();
     episodes.conditions = stated_conditions(request_.operating);
     if (!request_.randomise_file.empty()) {
       episodes.randomisation = hopper::read_randomisation(request_.randomise_file).randomisation;
       hopper::require_fits(episodes.randomisation, ready_.robot);
+    }
+    if (request_.eases) {
+      if (request_.randomise_file.empty()) io::refuse("--curriculum", "needs --randomise");
+      options.shares = {0.0, 0.5, 1.0};
+    }
+    if (!request_.reference_file.empty()) {
+      episodes.mid_states = std::make_shared<const std::vector<hopper::MidState>>(
+          hopper::mid_states(ready_, read_.robot, reference()));
     }
     options.seed = request_.seed;
     options.threads = request_.threads;
     options.judged_every = request_.judged_every;
     options.judged_runs = request_.judged_runs;
     return options;
+  }
+
+  hopper::Motion reference() const {
+    hopper::MotionFile source;
+    source.file = request_.reference_file;
+    hopper::Motion motion = hopper::read_motion(read_.robot, source);
+    hopper::derive_rates(read_.robot.tree, motion);
+    return motion;
   }
 
   std::unique_ptr<hopper::Training> made() const {
@@ -143,8 +164,7 @@ class TrainingRun {
   }
 
   std::string policy_text() const {
-    hopper::PolicyDocument document =
-        hopper::document_of(ready_, options().episodes.limits, *training_->best());
+    hopper::PolicyDocument document = hopper::document_of(ready_, limits(), *training_->best());
     for (const io::Document& one : read_.documents) {
       document.trained_with.push_back({one.file, one.sha256});
     }
@@ -191,7 +211,7 @@ ExitCode run_hopper_train(const HopperTrainRequest& request) {
     io::refuse("--output", "is required: the file that the policy is written to");
   }
   io::check_outputs(named({request.policy_file, state_file(request), request.curve_file}),
-                    named({request.robot_file, request.randomise_file}));
+                    named({request.robot_file, request.randomise_file, request.reference_file}));
   catch_interrupt();
   try {
     return TrainingRun(request).go();

@@ -84,7 +84,8 @@ identify import bam tests/fuzz/corpus/imports/pendulum_bam.json -o imported
 identify import ros tests/fuzz/corpus/imports/legs_ros.csv --joint 1 -o imported
 identify import odrive tests/fuzz/corpus/imports/axes_odrive.csv --joint axis0 -o imported
 hopper train specs/robot/planar_leg.json --task hop --limits box --engine own --seconds 1 --iterations 1 --seed 2 --threads 2 --judge-every 1 --judge-runs 1 -o hop.json --curve hop.csv
-hopper train specs/robot/hopper.json --task specs/training_task/stand.json --randomise specs/randomisation/hopper.json --bus-voltage 60 --seconds 0.1 --iterations 1 -o stand.json
+hopper train specs/robot/hopper.json --task specs/training_task/stand.json --randomise specs/randomisation/hopper.json --curriculum --bus-voltage 60 --seconds 0.1 --iterations 1 -o stand.json
+hopper train specs/robot/hopper.json --task flip --reference specs/trajectory/hopper_flip.csv --seconds 0.1 --iterations 1 --judge-runs 1 -o flip.json
 hopper replay specs/robot/hopper.json specs/policy/upright.json --task stand --forward 0.1
 policy export specs/policy/upright.json --format onnx -o upright.onnx
 policy export specs/policy/upright.json --format c

@@ -107,9 +107,29 @@ TEST(FlipRewards, PayForRotationInTheAirAndForRestAfterIt) {
   EXPECT_NEAR(value_of(rewards::cav, at), -0.5, kRounding);
   at.momentum_Nm_s = Eigen::Vector3d(3.0, 4.0, 0.0);
   EXPECT_NEAR(value_of(rewards::cav, at), -1.25, kRounding);
+  at.time_s = 2.0;  // the seed's r_CAV is stated until here
+  EXPECT_EQ(value_of(rewards::cav, at), 0.0);
   at = flying();
   at.turned_rad = 2.0 * std::numbers::pi - 0.1;  // ours: enough
   EXPECT_EQ(value_of(rewards::cav, at), 0.0);
+}
+
+TEST(FlipRewards, FollowAMotionAndStayOnTheGroundBesideTheFlight) {
+  RewardInstant at = flying();
+  EXPECT_EQ(value_of(rewards::follow, at), 0.0);  // nothing is followed
+  at.followed_rad = Eigen::Vector2d(0.9, -0.1);
+  at.followed_turn_rad = 0.3;
+  at.turned_rad = 0.2;
+  // W (q - followed) = (0.5 (-0.4), 2 (-0.1)), and the turn -0.1: 0.04 + 0.04 + 0.01.
+  EXPECT_NEAR(value_of(rewards::follow, at), std::exp(-4.0 * 0.09), kRounding);
+  EXPECT_EQ(value_of(rewards::grounded, at), 0.0);
+  at.time_s = 0.39;  // 0.11 s before the take-off
+  EXPECT_EQ(value_of(rewards::grounded, at), 1.0);
+  at.touches[0] = true;
+  EXPECT_EQ(value_of(rewards::grounded, at), 0.0);
+  at.touches[0] = false;
+  at.time_s = 1.16;  // as long after the landing
+  EXPECT_EQ(value_of(rewards::grounded, at), 1.0);
 }
 
 TEST(FlipRewards, BarriersSumOverJointsAndGears) {

@@ -10,6 +10,7 @@
 
 #include "hopper/engines/library.hpp"
 #include "hopper/training/task/task_spec.hpp"
+#include "hopper/trials/randomisation_spec.hpp"
 #include "robot/model/robot_spec.hpp"
 
 namespace torquewright::hopper {
@@ -77,6 +78,32 @@ TEST(Training, IsTheSameForAnyThreadsAndAfterARestart) {
   EXPECT_EQ(run(other, 2), rest);
   EXPECT_EQ(run(resumed, 2), rest);
   EXPECT_EQ(one.policy().layers[0].weights, other.policy().layers[0].weights);
+  EXPECT_EQ(one.policy().layers[0].weights, resumed.policy().layers[0].weights);
+}
+
+// Left between the stages of a curriculum, where some open episodes are of the one before.
+TEST(Training, GoesOnAlikeThroughTheStagesOfARandomisation) {
+  TrainingOptions options = training_options(2);
+  options.episodes.randomisation =
+      read_randomisation(TORQUEWRIGHT_SOURCE_DIR "/specs/randomisation/hopper.json").randomisation;
+  options.shares = {0.0, 0.5, 1.0};
+  options.advancing_share = 0.0;
+  options.judged_every = 1;
+  options.judged_runs = 1;
+  Training one(stay_up(), options), resumed(stay_up(), options);
+  std::vector<double> shares;
+  const auto go = [&shares](Training& training) {
+    const TrainingProgress at = training.iterate();
+    shares.push_back(at.randomised_share);
+    return std::to_string(at.motion_return) + " " + std::to_string(at.duration_s);
+  };
+  go(one);
+  go(one);
+  std::stringstream state;
+  one.save(state);
+  resumed.restore(state);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(go(one), go(resumed));
+  EXPECT_EQ(shares, (std::vector<double>{0.0, 0.5, 1.0, 1.0, 1.0, 1.0}));
   EXPECT_EQ(one.policy().layers[0].weights, resumed.policy().layers[0].weights);
 }
 

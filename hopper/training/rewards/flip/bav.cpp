@@ -1,16 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include "hopper/training/rewards/every_reward.hpp"
+#include "hopper/training/rewards/turning.hpp"
 
 namespace torquewright::hopper::rewards {
 namespace {
 
 double value(const RewardInstant& at, const RewardNumbers&) {
-  const PhaseTimes& phase = at.asked.phase;
-  if (at.time_s < phase.take_off_s) return 0.0;
-  if (at.time_s >= phase.landing_s) return -0.5 * std::min(at.momentum_Nm_s.norm(), 2.5);
-  return std::clamp(at.base_rate_rad_s.y(), -0.1, 10.0);
+  return paid_for_turning(at, at.base_rate_rad_s.y());
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
-
 #include "hopper/training/rewards/every_reward.hpp"
+#include "hopper/training/rewards/turning.hpp"
 
 namespace torquewright::hopper::rewards {
 namespace {
@@ -11,11 +10,8 @@ namespace {
 constexpr double kEnough_rad = 0.17;
 
 double value(const RewardInstant& at, const RewardNumbers&) {
-  const PhaseTimes& phase = at.asked.phase;
-  if (at.time_s < phase.take_off_s) return 0.0;
-  if (at.time_s >= phase.landing_s) return -0.5 * std::min(at.momentum_Nm_s.norm(), 2.5);
-  if (at.turned_rad > at.asked.turn_rad - kEnough_rad) return 0.0;
-  return std::clamp(at.rotation_rad_s.y(), -0.1, 10.0);
+  const bool is_enough = at.turned_rad > at.asked.turn_rad - kEnough_rad;
+  return paid_for_turning(at, is_enough ? 0.0 : at.rotation_rad_s.y());
 }
 
 }  // namespace

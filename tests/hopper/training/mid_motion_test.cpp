@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+// States on the way through the hand-made flip. Oracle: the motion's own rows on the robot in three
+// dimensions, by forward kinematics there; and what is known of that motion: it turns once, and
+// its feet are clear of the ground from 0.641 to 1.134 s (worked out apart from its rows).
+#include "hopper/training/episode/mid_motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "dynamics/momentum.hpp"
+#include "dynamics/point.hpp"
+#include "hopper/engines/library.hpp"
+#include "hopper/motion/motion_reader.hpp"
+#include "hopper/motion/slopes.hpp"
+#include "hopper/training/episode/hopper_environment.hpp"
+#include "hopper/training/task/task_spec.hpp"
+#include "io/faults/spec_error.hpp"
+#include "robot/model/robot_spec.hpp"
+
+namespace torquewright::hopper {
+namespace {
+
+struct Flip {
+  Robot robot = read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json").robot;
+  ReadyTask ready = ready_task(robot, read_task("hopper_flip"));
+  Motion motion = read("hopper_flip");
+  std::vector<MidState> states = mid_states(ready, robot, motion);
+
+  Motion read(const std::string& name) const {
+    MotionFile source;
+    source.file = TORQUEWRIGHT_SOURCE_DIR "/specs/trajectory/" + name + ".csv";
+    Motion read = read_motion(robot, source);
+    derive_rates(robot.tree, read);
+    return read;
+  }
+};
+
+const Flip& flip() {
+  static const Flip made;
+  return made;
+}
+
+/// Control periods from the take-off until after the landing 0.493 s later.
+constexpr long kLands = 50;
+
+double lowest_m(const Robot& robot, dynamics::TreeState& state) {
+  double least_m = 1e9;
+  for (const ContactPoint& contact : robot.contacts) {
+    least_m = std::min(least_m, dynamics::point_position_m(state, contact.point).z());
+  }
+  return least_m;
+}
+
+TEST(MidMotion, IsTheMotionInThePlane) {
+  const Flip& of = flip();
+  dynamics::TreeState plane(of.ready.robot.tree), space(of.robot.tree);
+  ASSERT_GT(of.states.size(), 50u);
+  std::size_t sample = 0;
+  for (const MidState& state : of.states) {
+    while (of.motion.positions.col(static_cast<Eigen::Index>(sample))[2] != state.position[1]) {
+      ASSERT_LT(++sample, of.motion.times_s.size()) << "no row of the motion is that high";
+    }
+    const auto row = static_cast<Eigen::Index>(sample);
+    plane.set(state.position, state.velocity);
+    space.set(of.motion.positions.col(row), of.motion.velocities.col(row));
+    EXPECT_NEAR(lowest_m(of.ready.robot, plane), lowest_m(of.robot, space), 1e-9);
+    EXPECT_NEAR(dynamics::centroid(plane).angular_momentum_Nm_s.y(),
+                dynamics::centroid(space).angular_momentum_Nm_s.y(), 1e-7);
+  }
+}
+
+TEST(MidMotion, FliesWhenTheTaskDoesAndTurnsOnce) {
+  const Flip& of = flip();
+  dynamics::TreeState state(of.ready.robot.tree);
+  const auto take_off =
+      std::lround(of.ready.task.phase.take_off_s / of.ready.task.control_period_s);
+  for (const MidState& at : of.states) {
+    state.set(at.position, at.velocity);
+    const bool flies = lowest_m(of.ready.robot, state) > 2e-3;
+    if (at.control == take_off) continue;
+    EXPECT_EQ(flies, at.control > take_off && at.control < take_off + kLands) << at.control;
+  }
+  // On a level sole pitch, knee and ankle add up to whole turns: none at the begin, one behind the
+  // landing. The base begins its turn from where it leans at the task's start.
+  const double lean_rad = of.ready.start_position[2];
+  const auto sole_rad = [&](const MidState& at) {
+    return lean_rad + at.turned_rad + at.position[3] + at.position[4];
+  };
+  constexpr double kLevel_rad = 0.02;
+  EXPECT_NEAR(sole_rad(of.states.front()), 0.0, kLevel_rad);
+  EXPECT_NEAR(sole_rad(of.states.back()), 2.0 * std::numbers::pi, kLevel_rad);
+}
+
+TEST(MidMotion, EpisodesBeginThereAsOftenAsSaid) {
+  const Flip& of = flip();
+  EpisodeOptions episodes;
+  episodes.engine = &engines::own;
+  episodes.mid_states = std::make_shared<const std::vector<MidState>>(of.states);
+  HopperEnvironment environment(of.ready, episodes);
+  const learning::Sizes sizes = HopperEnvironment::sizes(of.ready);
+  Eigen::VectorXd actor(sizes.actor_inputs), critic(sizes.critic_inputs);
+  int whole = 0;
+  constexpr int kEpisodes = 200;
+  for (int episode = 0; episode < kEpisodes; ++episode) {
+    environment.begin(1, static_cast<std::uint64_t>(episode));
+    environment.observe(actor, critic);
+    // Behind the actor's inputs: velocity, height, turn, time.
+    const double turned_rad = critic[sizes.actor_inputs + 4];
+    const double time_s = critic[sizes.actor_inputs + 5];
+    if (time_s == 0.0) {
+      ++whole;
+      EXPECT_EQ(turned_rad, 0.0);
+      continue;
+    }
+    const auto control = std::lround(time_s / of.ready.task.control_period_s);
+    const auto& state = of.states[static_cast<std::size_t>(control - of.states.front().control)];
+    ASSERT_EQ(state.control, control);
+    EXPECT_EQ(environment.position(), state.position);
+    EXPECT_EQ(turned_rad, state.turned_rad);
+  }
+  // Half of 200, by five deviations of a binomial.
+  EXPECT_NEAR(whole, kEpisodes / 2, 5.0 * std::sqrt(0.25 * kEpisodes));
+}
+
+TEST(MidMotion, RefusesWhatDoesNotFly) {
+  try {
+    mid_states(flip().ready, flip().robot, flip().read("hopper_squat"));
+    FAIL() << "a squat was taken for a flight";
+  } catch (const io::SpecError& error) {
+    EXPECT_NE(std::string(error.what()).find("hopper_squat.csv"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("never leaves the ground"), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace torquewright::hopper
