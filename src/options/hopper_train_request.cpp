@@ -36,7 +36,7 @@ void add_task_options(command_line::Command& command, HopperTrainRequest& reques
   command
       .add_option("--reference", request.reference_file,
                   "Motion, as hopper flip writes it, on the way through which half of the episodes "
-                  "begin, its flight laid on the task's")
+                  "begin, its landing laid on the task's")
       .otherwise("none: all begin where the task does");
   add_operating_options(command, request.operating);
 }

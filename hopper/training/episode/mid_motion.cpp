@@ -52,10 +52,11 @@ std::vector<MidState> samples_of(const ReadyTask& ready, const Motion& motion) {
   return samples;
 }
 
-/// When the longest time in the air begins; infinite where there is none.
-double take_off_s(const Robot& robot, const Motion& motion, const std::vector<MidState>& samples) {
+/// When the longest time in the air ends; infinite where there is none.
+double touch_down_s(const Robot& robot, const Motion& motion,
+                    const std::vector<MidState>& samples) {
   dynamics::TreeState state(robot.tree);
-  double begun_s = std::numeric_limits<double>::infinity();
+  double begun_s = motion.times_s.front();
   double longest_s = 0.0;
   double at_s = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -64,12 +65,12 @@ double take_off_s(const Robot& robot, const Motion& motion, const std::vector<Mi
         std::all_of(robot.contacts.begin(), robot.contacts.end(), [&](const ContactPoint& one) {
           return dynamics::point_position_m(state, touching_point(one, state)).z() > kClear_m;
         });
-    if (!is_clear) begun_s = std::numeric_limits<double>::infinity();
-    if (!is_clear) continue;
-    begun_s = std::min(begun_s, motion.times_s[i]);
-    if (motion.times_s[i] - begun_s <= longest_s) continue;
-    longest_s = motion.times_s[i] - begun_s;
-    at_s = begun_s;
+    if (!is_clear) {
+      begun_s = motion.times_s[i];
+    } else if (motion.times_s[i] - begun_s > longest_s) {
+      longest_s = motion.times_s[i] - begun_s;
+      at_s = motion.times_s[i];
+    }
   }
   return at_s;
 }
@@ -84,8 +85,8 @@ void require_fitting(const ReadyTask& ready, const Robot& robot, const Motion& m
     io::refuse(motion.file, "is a motion in the plane, and the task is not");
   }
   if (!(ready.task.phase.landing_s > 0.0)) {
-    io::refuse(motion.file, "is no reference for " + ready.task.file +
-                                ", which states no phase/take_off_s and landing_s");
+    io::refuse(motion.file,
+               "is no reference for " + ready.task.file + ", which states no phase/landing_s");
   }
 }
 
@@ -95,7 +96,7 @@ std::vector<MidState> mid_states(const ReadyTask& ready, const Robot& robot, con
   require_fitting(ready, robot, motion);
   const Task& task = ready.task;
   const std::vector<MidState> samples = samples_of(ready, motion);
-  const double lag_s = take_off_s(ready.robot, motion, samples) - task.phase.take_off_s;
+  const double lag_s = touch_down_s(ready.robot, motion, samples) - task.phase.landing_s;
   if (!std::isfinite(lag_s)) {
     io::refuse(motion.file, "never leaves the ground: it teaches no flight");
   }

@@ -17,10 +17,10 @@ struct MidState {
 };
 
 /// The states of a motion of `robot` (as its document has it, before it is put into its plane) at
-/// the task's control instants, so that its longest time in the air begins at the task's take-off;
-/// from the task's begin until its landing: what comes later is learned on the way. Throws
-/// io::SpecError, naming the motion's file, where its base does not move as the robot's does, it is
-/// never in the air or the task states no take-off.
+/// the task's control instants, so that its longest time in the air ends at the task's landing;
+/// from the task's begin until then: what comes later is learned on the way. Throws io::SpecError,
+/// naming the motion's file, where its base does not move as the robot's does, it is never in the
+/// air or the task states no landing.
 std::vector<MidState> mid_states(const ReadyTask& ready, const Robot& robot, const Motion& motion);
 
 }  // namespace torquewright::hopper

@@ -21,7 +21,7 @@ const RewardTerm follow = {.name = "follow",
                                "ours: joints and turn of the base as the motion of --reference has "
                                "them then; nothing without one",
                            .role = RewardRole::kExtra,
-                           .usual = {.weight = 3.0, .rate = 4.0},
+                           .usual = {.weight = 10.0, .rate = 4.0},
                            .value = value};
 
 }  // namespace torquewright::hopper::rewards
