@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Policies that learn the flip, seed by seed, under the region and in the box: when they had
-learned it, and who does it where. Writes between the marks of docs/learning_study.md.
+learned it, and who does it where. Leaves tables.md and learning_curves.svg in build/study_learning.
 
     bench/learning_study.py build/release/src/torquewright [--seeds 5] [--seconds 600] [--keep]
 """
@@ -15,8 +15,7 @@ import subprocess
 ROBOT = "specs/robot/hopper.json"
 REFERENCE = "specs/trajectory/hopper_flip.csv"
 FOLDER = pathlib.Path("build/study_learning")
-PAGE = pathlib.Path("docs/learning_study.md")
-PICTURE = "docs/pictures/learning_curves.svg"
+PICTURE = FOLDER / "learning_curves.svg"
 LIMITS = ["mor", "box"]
 ENGINES = ["own", "mujoco"]
 DEGREES = 57.29577951308232
@@ -70,10 +69,14 @@ def judged(options, training, limits, engine):
                             "--limits", limits, "--engine", engine, "--trials", options.trials,
                             "--randomise", start, "--json"))
     down = report.get("touch_down")
-    short = DEGREES * down["rotation_short_rad"] if down else float("nan")
-    turns = [deed["done"] for deed in report.get("deeds", []) if deed["name"] == "rotation"]
+    short = DEGREES * down["rotation_short_rad"] if down else None
+    turns = [deed["done"] for deed in report.get("deeds", []) if deed["deed"] == "rotation"]
     return {"done": report["trials"]["succeeded"], "short": short,
-            "turned": DEGREES * turns[0] if turns else float("nan")}
+            "turned": DEGREES * turns[0] if turns else None}
+
+
+def whole(value):
+    return "-" if value is None else f"{value:.0f}"
 
 
 def tables(options, trainings):
@@ -83,11 +86,11 @@ def tables(options, trainings):
         cells = [judged(options, training, limits, engine) for engine in ENGINES
                  for limits in LIMITS]
         at_home = cells[LIMITS.index(training["limits"])]
-        lines.append("| {} | {} | {} | {} | {} | {:.0f} | {:.0f} |".format(
+        lines.append("| {} | {} | {} | {} | {} | {} | {} |".format(
             training["limits"], training["seed"], learned_at(training, 0.5),
             learned_at(training, 0.9),
             " | ".join(f"{cell['done']} of {options.trials}" for cell in cells),
-            at_home["short"], at_home["turned"]))
+            whole(at_home["short"]), whole(at_home["turned"])))
     return lines
 
 
@@ -109,12 +112,6 @@ plot {curves}
     subprocess.run(["gnuplot"], input=script, text=True, check=True)
 
 
-def write(lines):
-    begin, end = "<!-- written by scripts/study-learning -->", "<!-- end of it -->"
-    head, rest = PAGE.read_text().split(begin)
-    PAGE.write_text(head + begin + "\n\n" + "\n".join(lines) + "\n\n" + end + rest.split(end)[1])
-
-
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
@@ -128,7 +125,9 @@ def main():
     trainings = [trained(options, seed, limits) for limits in LIMITS
                  for seed in range(1, options.seeds + 1)]
     draw(trainings)
-    write(tables(options, trainings))
+    text = "\n".join(tables(options, trainings)) + "\n"
+    (FOLDER / "tables.md").write_text(text)
+    print(text)
 
 
 main()
