@@ -4,7 +4,8 @@
 #include "hopper/tracking/controller_kind.hpp"
 
 // One line for each controller; its file defines the constant of that name.
-#define TORQUEWRIGHT_EVERY_CONTROLLER(controller) controller(lqr) controller(pd)
+#define TORQUEWRIGHT_EVERY_CONTROLLER(controller) \
+  controller(lqr) controller(pd) controller(weighing)
 
 namespace torquewright::hopper::controllers {
 

@@ -18,14 +18,14 @@ std::size_t place_in(const GainStretch& stretch, double time_s) {
 
 }  // namespace
 
-GainSchedule::GainSchedule(std::vector<GainStretch> by_mode, Eigen::MatrixXd after_end,
+GainSchedule::GainSchedule(std::vector<GainStretch> by_mode, Gains after_end,
                            ErrorModel model_after, double ends_s)
     : by_mode_(std::move(by_mode)),
       after_end_(std::move(after_end)),
       model_after_(std::move(model_after)),
       ends_s_(ends_s) {}
 
-const Eigen::MatrixXd& GainSchedule::at(std::size_t mode, double time_s) const {
+const Gains& GainSchedule::at(std::size_t mode, double time_s) const {
   const GainStretch& stretch = by_mode_[std::min(mode, by_mode_.size() - 1)];
   if (time_s >= ends_s_ || stretch.gains.empty()) return after_end_;
   return stretch.gains[place_in(stretch, time_s)];

@@ -107,6 +107,14 @@ std::optional<VectorXd> held_acceleration(WholeBody& body, const DrivenState& at
   return acceleration_of(body, HeldBody(body, touches), at.drive_Nm);
 }
 
+std::optional<MatrixXd> held_answers(WholeBody& body, const DrivenState& at,
+                                     const TouchingPoints& touches, const MatrixXd& forces) {
+  if (!body.set(at.position, at.velocity)) return std::nullopt;
+  const HeldBody held(body, touches);
+  const MatrixXd nothing = MatrixXd::Zero(held.rows().jacobian.rows(), forces.cols());
+  return held.upper_inverse(held.held(held.lower_inverse(forces), nothing));
+}
+
 std::optional<Eigen::Matrix3Xd> ground_forces_N(WholeBody& body, const DrivenState& at,
                                                 const TouchingPoints& touches) {
   const auto acceleration = held_acceleration(body, at, touches);

@@ -36,6 +36,11 @@ Eigen::MatrixXd drive_jacobian(const WholeBody& body);
 std::optional<Eigen::VectorXd> held_acceleration(WholeBody& body, const DrivenState& at,
                                                  const TouchingPoints& touches);
 
+/// Returns by how much generalised forces (n x k) change those accelerations (n x k).
+std::optional<Eigen::MatrixXd> held_answers(WholeBody& body, const DrivenState& at,
+                                            const TouchingPoints& touches,
+                                            const Eigen::MatrixXd& forces);
+
 /// Returns the least forces of the ground that then hold them, by contact point of the robot (3
 /// each, world's axes, on the robot); linear in the torques.
 std::optional<Eigen::Matrix3Xd> ground_forces_N(WholeBody& body, const DrivenState& at,

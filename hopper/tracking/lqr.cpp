@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -15,6 +16,8 @@
 #include "hopper/tracking/riccati.hpp"
 #include "hopper/tracking/tipping_torque.hpp"
 #include "hopper/tracking/touch_down.hpp"
+#include "hopper/tracking/unknown_loads.hpp"
+#include "hopper/tracking/weighing.hpp"
 #include "io/text/time_text.hpp"
 
 namespace torquewright::hopper {
@@ -87,6 +90,7 @@ class Recursion {
     if (!(options.control_period_s > 0.0) || !std::isfinite(options.control_period_s)) {
       throw std::invalid_argument("regulator: the control period is above zero");
     }
+    if (options_.weighs) unknown_.emplace(robot);
   }
 
   LqrResult run() {
@@ -95,6 +99,7 @@ class Recursion {
     for (std::size_t mode = by_mode.size(); mode-- > 0;) {
       if (!go_back_over(mode, by_mode[mode])) return std::move(result_);
     }
+    weigh_over(by_mode.front());
     result_.gains = std::make_shared<const GainSchedule>(
         std::move(by_mode), after_end_, std::move(model_after_), reference_->ends_s());
     return std::move(result_);
@@ -128,25 +133,61 @@ class Recursion {
     return {at.position, at.velocity, at.drive_Nm};
   }
 
+  Index unknowns() const { return unknown_ ? unknown_->size() : 0; }
+
+  /// Unknowns act as more drives do.
+  bool add_unknown(const Knot& from, const TouchingPoints& touches, StateSlopes& slopes) {
+    if (!unknown_) return true;
+    const auto loads = unknown_->forces(from.instant.position, from.instant.velocity, slopes.value);
+    if (!loads) return false;
+    const auto answers = held_answers(body_, state_of(from.instant), touches, -*loads);
+    if (!answers) return false;
+    const Index drives = slopes.by_drive.cols();
+    slopes.by_drive.conservativeResize(Eigen::NoChange, drives + unknowns());
+    slopes.by_drive.rightCols(unknowns()) = *answers;
+    return true;
+  }
+
   /// One control period (or a little less) from one knot to the next.
   bool step_between(const Knot& from, const ErrorSpace& to, const TouchingPoints& touches,
-                    double period_s, LinearStep& step) {
-    const auto slopes = acceleration_slopes(body_, dynamics_, state_of(from.instant), touches);
+                    double period_s, LinearStep& step, MatrixXd& drift) {
+    auto slopes = acceleration_slopes(body_, dynamics_, state_of(from.instant), touches);
     if (!slopes) return stop(GainOutcome::kUnreached, from.time_s, from.instant);
+    const Index drives = slopes->by_drive.cols();
+    if (!add_unknown(from, touches, *slopes)) {
+      return stop(GainOutcome::kUnreached, from.time_s, from.instant);
+    }
     const DiscreteModel model =
         over(continuous_model(body_.robot().tree, *slopes, from.instant.velocity), period_s);
     const MatrixXd& free = from.space.from_free;
     step.A = to.to_free * model.by_error * free;
-    step.B = to.to_free * model.by_drive;
+    step.B = to.to_free * model.by_drive.leftCols(drives);
+    drift = to.to_free * model.by_drive.rightCols(unknowns());
     step.Q = period_s * (free.transpose() * weights_.error_1_s.asDiagonal() * free);
     step.R = period_s * MatrixXd(weights_.torque_1_s.asDiagonal());
     return true;
   }
 
+  bool is_weighed(std::size_t mode) const {
+    return unknown_ && mode == 0 && reference_->modes().front().touches.any();
+  }
+
+  /// What looks tell of the unknowns while it stands on its first points.
+  void weigh_over(GainStretch& first) const {
+    if (!is_weighed(0)) return;
+    const Index base = body_.robot().tree.base_velocity_size();
+    first.weighing = weighing_gains(first.models, first.step_s, unknown_->spread(),
+                                    base == 6 ? 3 : std::min<Index>(base, 2));
+  }
+
   /// A step's model in whole errors.
-  static ErrorModel whole_model(const LinearStep& step, const ErrorSpace& from,
-                                const ErrorSpace& to) {
-    return {to.from_free * step.A * from.to_free, to.from_free * step.B};
+  static ErrorModel whole_model(const LinearStep& step, const MatrixXd& drift,
+                                const ErrorSpace& from, const ErrorSpace& to) {
+    return {to.from_free * step.A * from.to_free, to.from_free * step.B, to.from_free * drift};
+  }
+
+  static Gains gains_of(const RiccatiStep& step, const ConstantStep& constant, const Knot& knot) {
+    return {step.gain * knot.space.to_free, constant.gain};
   }
 
   bool end() {
@@ -154,31 +195,47 @@ class Recursion {
     const ContactMode& last = reference_->modes().back();
     Knot knot;
     LinearStep step;
+    MatrixXd drift;
     if (!set(reference_->ends_s(), last.touches, knot)) return false;
-    if (!step_between(knot, knot.space, last.touches, options_.control_period_s, step))
+    if (!step_between(knot, knot.space, last.touches, options_.control_period_s, step, drift))
       return false;
     next_ = knot.space;
-    if (options_.foretells) model_after_ = whole_model(step, knot.space, knot.space);
+    if (options_.foretells) model_after_ = whole_model(step, drift, knot.space, knot.space);
     if (options_.end == LqrEnd::kWeights) {
       cost_ = kWeightsLast_s / options_.control_period_s * step.Q;
-      after_end_ = riccati_step(step, cost_).gain * knot.space.to_free;
+      constant_cost_.setZero(step.A.cols(), drift.cols());
+      const RiccatiStep last_step = riccati_step(step, cost_);
+      after_end_ =
+          gains_of(last_step, constant_step(step, drift, last_step, cost_, constant_cost_), knot);
       return true;
     }
     const auto steady = steady_riccati(step);
     if (!steady) return stop(GainOutcome::kNoSteadyState, knot.time_s, knot.instant);
+    const ConstantStep constant = steady_constant(step, drift, *steady);
     cost_ = steady->cost;
-    after_end_ = steady->gain * knot.space.to_free;
+    constant_cost_ = constant.cost;
+    after_end_ = gains_of(*steady, constant, knot);
     return true;
   }
 
-  /// What errors in front of the end of a mode are behind it, (2 n x 2 n).
-  bool border(std::size_t mode, const Knot& before, MatrixXd& map) {
+  /// What errors in front of the end of a mode are behind it, (2 n x 2 n), and what unknowns add to
+  /// them there (2 n x p).
+  bool border(std::size_t mode, const Knot& before, MatrixXd& map, MatrixXd& jump) {
     const auto& modes = reference_->modes();
     const std::size_t next = std::min(mode + 1, modes.size() - 1);
     auto found =
         touch_down_map(body_, state_of(before.instant), modes[mode].touches, modes[next].touches);
     if (!found) return stop(GainOutcome::kUnreached, before.time_s, before.instant);
     map = std::move(*found);
+    jump.setZero(map.rows(), unknowns());
+    if (!unknown_ || !(modes[next].touches && !modes[mode].touches).any()) return true;
+    const auto after = impact_slopes(body_, state_of(before.instant), modes[next].touches);
+    if (!after) return stop(GainOutcome::kUnreached, before.time_s, before.instant);
+    const auto answers = held_answers(
+        body_, state_of(before.instant), modes[next].touches,
+        -unknown_->impulses(before.instant.position, after->value - before.instant.velocity));
+    if (!answers) return stop(GainOutcome::kUnreached, before.time_s, before.instant);
+    jump.bottomRows(answers->rows()) = *answers;
     return true;
   }
 
@@ -190,27 +247,32 @@ class Recursion {
     stretch.from_s = here.from_s;
     stretch.step_s = steps > 0 ? length_s / static_cast<double>(steps) : 0.0;
     stretch.gains.resize(steps);
-    if (options_.foretells) stretch.models.resize(steps);
+    const bool keeps_models = options_.foretells || is_weighed(mode);
+    if (keeps_models) stretch.models.resize(steps);
     Knot to, from;
     // The later side of a border is the next mode's.
     if (!set(std::nextafter(here.until_s, here.from_s), here.touches, to)) return false;
-    MatrixXd map;
-    if (!border(mode, to, map)) return false;
+    MatrixXd map, jump, drift;
+    if (!border(mode, to, map, jump)) return false;
     const MatrixXd over_border = next_.to_free * map * to.space.from_free;
+    constant_cost_ =
+        (over_border.transpose() * (cost_ * (next_.to_free * jump) + constant_cost_)).eval();
     cost_ = (over_border.transpose() * cost_ * over_border).eval();
     for (std::size_t i = steps; i-- > 0;) {
       if (!set(here.from_s + static_cast<double>(i) * stretch.step_s, here.touches, from)) {
         return false;
       }
       LinearStep step;
-      if (!step_between(from, to.space, here.touches, stretch.step_s, step)) return false;
+      if (!step_between(from, to.space, here.touches, stretch.step_s, step, drift)) return false;
       const RiccatiStep back = riccati_step(step, cost_);
       if (!back.cost.allFinite() || !back.gain.allFinite()) {
         return stop(GainOutcome::kBlownUp, from.time_s, from.instant);
       }
+      const ConstantStep constant = constant_step(step, drift, back, cost_, constant_cost_);
       cost_ = back.cost;
-      stretch.gains[i] = back.gain * from.space.to_free;
-      if (options_.foretells) stretch.models[i] = whole_model(step, from.space, to.space);
+      constant_cost_ = constant.cost;
+      stretch.gains[i] = gains_of(back, constant, from);
+      if (keeps_models) stretch.models[i] = whole_model(step, drift, from.space, to.space);
       std::swap(to, from);
     }
     next_ = to.space;
@@ -220,11 +282,13 @@ class Recursion {
   const Reference* reference_;
   WholeBody body_;
   LinearDynamics dynamics_;
+  std::optional<UnknownLoads> unknown_;  ///< None where it does not weigh.
   Weights weights_;
   LqrOptions options_;
-  MatrixXd cost_;    ///< Of errors that the space behind leaves free.
-  ErrorSpace next_;  ///< That space.
-  MatrixXd after_end_;
+  MatrixXd cost_;           ///< Of errors that the space behind leaves free,
+  MatrixXd constant_cost_;  ///< and what unknowns add to it.
+  ErrorSpace next_;         ///< That space.
+  Gains after_end_;
   ErrorModel model_after_;
   LqrResult result_;
 };

@@ -34,6 +34,9 @@ struct LqrOptions {
   LqrEnd end = LqrEnd::kSteadyState;
   /// Whether the model of errors is kept beside the gains, for a controller whose torques act late.
   bool foretells = false;
+  /// Whether it weighs the robot while it stands at the motion's begin, and goes on with what that
+  /// told of its masses.
+  bool weighs = false;
 };
 
 /// Gains of a whole motion, for any number of controllers and threads.

@@ -8,6 +8,7 @@
 #include "hopper/tracking/gain_schedule.hpp"
 #include "hopper/tracking/lqr.hpp"
 #include "hopper/tracking/velocity_error.hpp"
+#include "hopper/tracking/weighing.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -27,6 +28,8 @@ class LqrController final : public Controller {
   void start() override {
     clock_.start();
     asked_Nm_.clear();
+    looks_ = 0;
+    weighing_.start(2 * body_.robot().tree.velocity_size(), gains_->unknowns());
   }
 
   void control(const Observation& seen, Eigen::VectorXd& torque_Nm) override {
@@ -42,28 +45,49 @@ class LqrController final : public Controller {
     }
     fed_forward_Nm_ = hopper::fed_forward_Nm(*reference_, reading, seen.latency_s, seen.hold_s);
     const std::size_t mode = reference_->mode_at(reading.time_s);
+    weigh(mode, seen, here.error);
     foretell(mode, reading.time_s, seen, here.error);
-    const Eigen::VectorXd feedback_Nm =
-        -gains_->at(mode, reading.time_s + seen.latency_s) * here.error;
-    if (seen.latency_s > 0.0) asked_Nm_.push_back(feedback_Nm);
-    torque_Nm = fed_forward_Nm_ + feedback_Nm;
+    const Gains& gains = gains_->at(mode, reading.time_s + seen.latency_s);
+    feedback_Nm_ = -gains.of_error * here.error;
+    if (gains_->unknowns() > 0) feedback_Nm_ -= gains.of_unknown * weighing_.unknown();
+    if (seen.latency_s > 0.0) asked_Nm_.push_back(feedback_Nm_);
+    torque_Nm = fed_forward_Nm_ + feedback_Nm_;
   }
 
   const Eigen::VectorXd& fed_forward_Nm() const override { return fed_forward_Nm_; }
 
  private:
+  static std::size_t periods_late(const Observation& seen) {
+    return static_cast<std::size_t>(std::ceil(seen.latency_s / seen.hold_s - 1e-9));
+  }
+
+  /// Takes a look while it stands on its first points, with the feedback that acted since the one
+  /// before.
+  void weigh(std::size_t mode, const Observation& seen, const Eigen::VectorXd& error) {
+    const GainStretch& first = gains_->by_mode().front();
+    const std::size_t look = looks_++;
+    if (mode != 0 || look == 0 || look > first.weighing.size()) return;
+    if (seen.latency_s > 0.0 && asked_Nm_.size() > periods_late(seen)) {
+      feedback_Nm_ = asked_Nm_.front();
+    } else if (seen.latency_s > 0.0) {
+      feedback_Nm_.setZero();
+    }
+    weighing_.look(first.models[look - 1], first.weighing[look - 1], feedback_Nm_, error);
+  }
+
   /// Carries an error on to when the answer will act, under the feedback that was asked for since
   /// and has yet to act: the oldest for what is left of its period, the others for all of it.
   /// docs/derivations/tracking.md, eq. (16).
   void foretell(std::size_t mode, double time_s, const Observation& seen, Eigen::VectorXd& error) {
     if (!(seen.latency_s > 0.0) || gains_->model_at(mode, time_s) == nullptr) return;
-    const auto periods = static_cast<std::size_t>(std::ceil(seen.latency_s / seen.hold_s - 1e-9));
+    const std::size_t periods = periods_late(seen);
     while (asked_Nm_.size() > periods) asked_Nm_.pop_front();
     double ahead_s = 0.0;
     for (std::size_t back = periods; back > 0; --back) {
       const double until_s = seen.latency_s - static_cast<double>(back - 1) * seen.hold_s;
       const ErrorModel& model = *gains_->model_at(mode, time_s + ahead_s);
       Eigen::VectorXd change = model.by_error * error - error;
+      if (gains_->unknowns() > 0) change += model.by_unknown * weighing_.unknown();
       if (back <= asked_Nm_.size()) change += model.by_drive * asked_Nm_[asked_Nm_.size() - back];
       error += (until_s - ahead_s) / seen.hold_s * change;
       ahead_s = until_s;
@@ -77,6 +101,9 @@ class LqrController final : public Controller {
   WholeBody body_;
   ReferenceInstant wanted_;
   Eigen::VectorXd fed_forward_Nm_;
+  Weighing weighing_;
+  std::size_t looks_ = 0;                 ///< Since the start.
+  Eigen::VectorXd feedback_Nm_;           ///< Last asked for.
   std::deque<Eigen::VectorXd> asked_Nm_;  ///< Feedback that has yet to act, the oldest first.
 };
 

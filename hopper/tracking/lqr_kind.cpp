@@ -25,18 +25,30 @@ class ReadyLqr final : public ReadyController {
   std::shared_ptr<const GainSchedule> gains_;
 };
 
-std::unique_ptr<const ReadyController> prepare_lqr(const Robot& robot, const Reference& reference,
-                                                   const TrackingOptions& options) {
+std::unique_ptr<const ReadyController> ready(const Robot& robot, const Reference& reference,
+                                             const TrackingOptions& options, bool weighs) {
   LqrOptions lqr;
+  lqr.weighs = weighs;
   lqr.control_period_s = options.control_period_s;
   lqr.foretells = options.acts_late;
   const LqrResult found = lqr_gains(robot, reference, lqr);
   if (!found.gains) {
     io::refuse("--controller",
-               fmt::format("lqr has no gains for this motion: {}; --controller pd needs none",
-                           sentence_of(found)));
+               fmt::format("{} has no gains for this motion: {}; --controller pd needs none",
+                           weighs ? "weighing" : "lqr", sentence_of(found)));
   }
   return std::make_unique<const ReadyLqr>(robot, reference, options, found.gains);
+}
+
+std::unique_ptr<const ReadyController> prepare_lqr(const Robot& robot, const Reference& reference,
+                                                   const TrackingOptions& options) {
+  return ready(robot, reference, options, false);
+}
+
+std::unique_ptr<const ReadyController> prepare_weighing(const Robot& robot,
+                                                        const Reference& reference,
+                                                        const TrackingOptions& options) {
+  return ready(robot, reference, options, true);
 }
 
 }  // namespace
@@ -44,5 +56,9 @@ std::unique_ptr<const ReadyController> prepare_lqr(const Robot& robot, const Ref
 const ControllerKind lqr = {.name = "lqr",
                             .sentence = "a linear quadratic regulator through the impacts",
                             .prepare = prepare_lqr};
+const ControllerKind weighing = {
+    .name = "weighing",
+    .sentence = "the same, weighing the robot while it stands at the begin",
+    .prepare = prepare_weighing};
 
 }  // namespace torquewright::hopper::controllers

@@ -25,6 +25,27 @@ RiccatiStep riccati_step(const LinearStep& step, const MatrixXd& cost_after) {
   return out;
 }
 
+ConstantStep constant_step(const LinearStep& step, const MatrixXd& drift,
+                           const RiccatiStep& regulated, const MatrixXd& cost_after,
+                           const MatrixXd& constant_cost_after) {
+  if (drift.cols() == 0) return {MatrixXd(step.A.cols(), 0), MatrixXd(step.B.cols(), 0)};
+  const MatrixXd pushed = cost_after * drift + constant_cost_after;
+  const MatrixXd weight = step.R + step.B.transpose() * cost_after * step.B;
+  ConstantStep out;
+  out.gain = weight.llt().solve(step.B.transpose() * pushed);
+  out.cost = (step.A - step.B * regulated.gain).transpose() * pushed;
+  return out;
+}
+
+ConstantStep steady_constant(const LinearStep& step, const MatrixXd& drift,
+                             const RiccatiStep& regulated) {
+  if (drift.cols() == 0) return {MatrixXd(step.A.cols(), 0), MatrixXd(step.B.cols(), 0)};
+  const MatrixXd closed = (step.A - step.B * regulated.gain).transpose();
+  const MatrixXd still = MatrixXd::Identity(closed.rows(), closed.cols()) - closed;
+  const MatrixXd cost = still.partialPivLu().solve(closed * (regulated.cost * drift));
+  return constant_step(step, drift, regulated, regulated.cost, cost);
+}
+
 std::optional<RiccatiStep> steady_riccati(const LinearStep& step) {
   constexpr int kMostDoublings = 60;
   constexpr double kSettled = 1e-13;

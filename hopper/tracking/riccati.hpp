@@ -23,6 +23,22 @@ struct RiccatiStep {
 /// (13). Numbers that overflow stay so.
 RiccatiStep riccati_step(const LinearStep& step, const Eigen::MatrixXd& cost_after);
 
+/// What constants w (p x 1) change of a step and of what follows: x+ = A x + B u + D w.
+struct ConstantStep {
+  Eigen::MatrixXd cost;  ///< (m x p): 2 x^T cost w is the part of the least cost that knows both.
+  Eigen::MatrixXd gain;  ///< (k x p): the best input is u = -K x - gain w.
+};
+
+/// Takes the step backwards beside riccati_step(), whose result for it is `regulated`, from the
+/// costs after it (m+ x m+) and (m+ x p); docs/derivations/tracking.md eq. (17).
+ConstantStep constant_step(const LinearStep& step, const Eigen::MatrixXd& drift,
+                           const RiccatiStep& regulated, const Eigen::MatrixXd& cost_after,
+                           const Eigen::MatrixXd& constant_cost_after);
+
+/// Returns the same of all steps without end, `regulated` being what steady_riccati() found.
+ConstantStep steady_constant(const LinearStep& step, const Eigen::MatrixXd& drift,
+                             const RiccatiStep& regulated);
+
 /// Returns the cost of all steps without end, A square; by doubling (Anderson 1978; eq. (15)): k
 /// doublings are 2^k steps. None where 60 of them do not settle it: no u holds the state, or
 /// nothing in Q asks for it.

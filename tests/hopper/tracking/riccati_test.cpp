@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracles: the double integrator's gain in closed form, Riccati's equation itself, the cost of a
-// simulated run, and the recursion run long enough.
+// simulated run, the recursion run long enough, and that over a state that holds constants too.
 #include "hopper/tracking/riccati.hpp"
 
 #include <gtest/gtest.h>
@@ -116,6 +116,47 @@ TEST(RiccatiStep, MayChangeTheStatesSize) {
   const RiccatiStep back = riccati_step(step, MatrixXd::Constant(1, 1, 4.0));
   EXPECT_LT((back.gain - MatrixXd::Constant(1, 2, 0.4)).norm(), 1e-15);
   EXPECT_LT((back.cost - MatrixXd::Constant(2, 2, 0.2)).norm(), 1e-15);
+}
+
+MatrixXd some_drift() { return (MatrixXd(3, 2) << 0.2, -0.1, 0.0, 0.3, 0.5, 0.1).finished(); }
+
+TEST(ConstantStep, IsTheStepOfAStateThatHoldsTheConstants) {
+  const LinearStep step = some_step();
+  const MatrixXd drift = some_drift();
+  LinearStep joined = step;
+  joined.A.setIdentity(5, 5);
+  joined.A.topLeftCorner(3, 3) = step.A;
+  joined.A.topRightCorner(3, 2) = drift;
+  joined.B.setZero(5, 2);
+  joined.B.topRows(3) = step.B;
+  joined.Q.setZero(5, 5);
+  joined.Q.topLeftCorner(3, 3) = step.Q;
+  MatrixXd cost = MatrixXd::Identity(3, 3), constant_cost = MatrixXd::Zero(3, 2);
+  MatrixXd joined_cost = MatrixXd::Zero(5, 5);
+  joined_cost.topLeftCorner(3, 3) = cost;
+  for (int i = 0; i < 20; ++i) {
+    const RiccatiStep together = riccati_step(joined, joined_cost);
+    const RiccatiStep regulated = riccati_step(step, cost);
+    const ConstantStep constant = constant_step(step, drift, regulated, cost, constant_cost);
+    joined_cost = together.cost;
+    cost = regulated.cost;
+    constant_cost = constant.cost;
+    EXPECT_LT((constant.gain - together.gain.rightCols(2)).norm(), 1e-12);
+    EXPECT_LT((constant_cost - joined_cost.topRightCorner(3, 2)).norm(), 1e-11);
+  }
+}
+
+TEST(SteadyConstant, IsWhereTheStepsArrive) {
+  const LinearStep step = some_step();
+  const auto steady = steady_riccati(step);
+  ASSERT_TRUE(steady);
+  const ConstantStep found = steady_constant(step, some_drift(), *steady);
+  MatrixXd cost = MatrixXd::Zero(3, 2);
+  for (int i = 0; i < 400; ++i) {
+    cost = constant_step(step, some_drift(), *steady, steady->cost, cost).cost;
+  }
+  EXPECT_LT((found.cost - cost).norm(), 1e-12 * cost.norm());
+  EXPECT_EQ(steady_constant(step, MatrixXd(3, 0), *steady).gain.cols(), 0);
 }
 
 }  // namespace

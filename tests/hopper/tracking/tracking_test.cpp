@@ -106,7 +106,7 @@ TEST_F(Standing, GainsDoNotCareWhereItStandsAndWhereItLooks) {
 TEST_F(Standing, RollHasALoopOfItsOwn) {
   const LqrResult found = lqr_gains(robot, reference, {});
   ASSERT_EQ(found.outcome, GainOutcome::kFound);
-  const MatrixXd& gain = found.gains->at(0, 0.05);
+  const MatrixXd& gain = found.gains->at(0, 0.05).of_error;
   // Of y, roll, yaw, ankle roll and their rates.
   for (const Index across : {1, 3, 5, 8}) {
     for (const Index column : {across, across + 9}) {
@@ -128,8 +128,8 @@ TEST_F(Standing, OnlyRatiosOfWeightsCount) {
   const LqrResult first = lqr_gains(robot, reference, {});
   const LqrResult second = lqr_gains(robot, reference, twice);
   ASSERT_TRUE(first.gains && second.gains);
-  const MatrixXd& gain = first.gains->at(0, 0.0);
-  EXPECT_LT((second.gains->at(0, 0.0) - gain).norm(), 1e-6 * gain.norm());
+  const MatrixXd& gain = first.gains->at(0, 0.0).of_error;
+  EXPECT_LT((second.gains->at(0, 0.0).of_error - gain).norm(), 1e-6 * gain.norm());
 }
 
 TEST_F(Standing, RefusesWeightsThatAreNone) {
@@ -177,7 +177,7 @@ TEST_F(Standing, NothingHoldsItInTheAir) {
   weights.end = LqrEnd::kWeights;
   const LqrResult some = lqr_gains(robot, hovering, weights);
   ASSERT_EQ(some.outcome, GainOutcome::kFound);
-  EXPECT_TRUE(some.gains->at(0, 0.0).allFinite());
+  EXPECT_TRUE(some.gains->at(0, 0.0).of_error.allFinite());
 }
 
 TEST_F(Standing, SaysWhichPostureNoMechanismReaches) {
@@ -265,8 +265,8 @@ TEST_F(Flip, GainsAreFiniteAndTheSameAgain) {
     const auto& gains = first.gains->by_mode()[mode].gains;
     ASSERT_GT(gains.size(), 50u);
     for (std::size_t i = 0; i < gains.size(); ++i) {
-      ASSERT_TRUE(gains[i].allFinite());
-      ASSERT_EQ(gains[i], second.gains->by_mode()[mode].gains[i]);
+      ASSERT_TRUE(gains[i].of_error.allFinite());
+      ASSERT_EQ(gains[i].of_error, second.gains->by_mode()[mode].gains[i].of_error);
     }
   }
 }
@@ -282,7 +282,7 @@ TEST_F(Flip, GainsBeforeTheImpactDoNotSeeTheMoment) {
   VectorXd flow(18);
   flow << at.velocity, at.acceleration;
   flow[0] = flow[1] = 0.0;
-  const MatrixXd& gain = found.gains->at(2, impact_s);
+  const MatrixXd& gain = found.gains->at(2, impact_s).of_error;
   double seen = 0.0, all = 0.0;
   for (Index drive = 0; drive < 3; ++drive) {
     seen = std::max(seen, std::abs(gain.row(drive).dot(flow)));

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "hopper/tracking/gain_schedule.hpp"
+
+namespace torquewright::hopper {
+
+/// What a controller takes its looks and its model to be worth; standard deviations.
+struct WeighingOptions {
+  double place_m = 0.01;        ///< Of a look's place of the base,
+  double angle_rad = 0.02;      ///< its attitude and joints (m where prismatic),
+  double speed_m_s = 0.05;      ///< the base's velocity,
+  double rate_rad_s = 0.2;      ///< and all other rates.
+  double torque_Nm = 0.1;       ///< Of what a drive does beside the model,
+  double torque_time_s = 0.05;  ///< which stays for about so long.
+};
+
+/// Gains with which errors (2 n x 1) beside the model's tell of errors and unknowns ((2 n + p) x 2
+/// n each), for every period of a stretch that begins as planned: Kalman's. `spread`: standard
+/// deviations of the unknowns; `places` of the first errors are lengths.
+/// docs/derivations/tracking.md eq. (18).
+std::vector<Eigen::MatrixXd> weighing_gains(const std::vector<ErrorModel>& models, double period_s,
+                                            const Eigen::VectorXd& spread, Eigen::Index places,
+                                            const WeighingOptions& options = {});
+
+/// Weighs a robot while it stands.
+class Weighing {
+ public:
+  void start(Eigen::Index errors, Eigen::Index unknowns);
+  /// Carries on by a period in which the feedback acted, and takes a look.
+  void look(const ErrorModel& model, const Eigen::MatrixXd& gain,
+            const Eigen::VectorXd& feedback_Nm, const Eigen::VectorXd& error);
+  const Eigen::VectorXd& unknown() const { return unknown_; }
+
+ private:
+  Eigen::VectorXd error_, unknown_, innovation_;
+};
+
+}  // namespace torquewright::hopper
