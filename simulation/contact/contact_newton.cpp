@@ -18,8 +18,8 @@ double scale_kg(const ContactProblem& problem, Index k) {
   return 3.0 / problem.response_1_kg.diagonal().segment<3>(3 * k).sum();
 }
 
-/// How far the impulses in memory are from their laws, as velocities, and what a change of them does
-/// to that; eqs. (9), (10).
+/// How far the impulses in memory are from their laws, as velocities, and what a change of them
+/// does to that; eqs. (9), (10).
 class Projections {
  public:
   Projections(const ContactProblem& problem, NewtonMemory& memory)
