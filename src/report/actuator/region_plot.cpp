@@ -12,10 +12,10 @@ namespace {
 
 using namespace actuator;
 
-constexpr int kWidth = 960;
-constexpr int kHeight = 680;
+constexpr int kRegionWidth = 960;
+constexpr int kRegionHeight = 680;
 constexpr int kPanelWidth = 560;
-constexpr int kPanelHeight = 430;
+constexpr int kRegionPanelHeight = 430;
 constexpr const char* kShade = "#eef1f4";
 
 /// Axes through zero, a light grid, names with units.
@@ -114,7 +114,7 @@ std::string motion_panel(const PlottedMotion& motion, std::size_t panel) {
 
 std::string region_plot(PlotFormat format, const std::string& title,
                         const std::vector<PlottedRegion>& regions) {
-  std::string script = gnuplot_terminal(format, kWidth, kHeight) + axes();
+  std::string script = gnuplot_terminal(format, kRegionWidth, kRegionHeight) + axes();
   script += "set title " + gnuplot_quoted(title) + "\n";
   script += "set key below horizontal spacing 1.3\nset bmargin 8\nset rmargin 4\n";
   Extent extent;
@@ -139,8 +139,8 @@ std::string motion_plot(PlotFormat format, const std::string& title,
   const auto count = static_cast<int>(motions.size());
   const int columns = count == 1 ? 1 : 2;
   const int rows = (count + columns - 1) / columns;
-  const int width = count == 1 ? kWidth : columns * kPanelWidth;
-  const int height = count == 1 ? kHeight : rows * kPanelHeight + 40;
+  const int width = count == 1 ? kRegionWidth : columns * kPanelWidth;
+  const int height = count == 1 ? kRegionHeight : rows * kRegionPanelHeight + 40;
   std::string script = gnuplot_terminal(format, width, height) + axes();
   script += gnuplot_palette();
   script += "set cblabel 'time in s'\nset key below horizontal samplen 2\nset bmargin 5\n";

@@ -15,9 +15,9 @@ namespace {
 
 using namespace identification;
 
-constexpr int kWidth = 900;
+constexpr int kTracesWidth = 900;
 constexpr int kBarHeight = 38;
-constexpr int kPanelHeight = 230;
+constexpr int kTracesPanelHeight = 230;
 constexpr int kStripHeight = 165;
 constexpr std::size_t kMostStrips = 16;
 constexpr std::size_t kColumns = 3;
@@ -200,7 +200,7 @@ std::string waterfall_plot(const EquationResult& equation) {
   double most = equation.noise_floor_rms;
   for (const WaterfallStep& step : steps) most = std::max(most, step.rms);
   const int height = 90 + kBarHeight * static_cast<int>(steps.size());
-  std::string script = gnuplot_terminal(PlotFormat::kSvg, kWidth, height) + thin_axes();
+  std::string script = gnuplot_terminal(PlotFormat::kSvg, kTracesWidth, height) + thin_axes();
   script += "$bars << END\n";
   std::string labels;
   for (std::size_t i = 0; i < steps.size(); ++i) {
@@ -235,9 +235,9 @@ std::string run_plot(const EquationResult& equation) {
   const std::vector<const RunResult*> strips = strips_of(equation);
   if (strips.empty()) return "";
   const bool is_refined = !equation.added.empty() || !equation.corrected.empty();
-  std::string script =
-      gnuplot_terminal(PlotFormat::kSvg, kWidth, static_cast<int>(strips.size()) * kStripHeight) +
-      thin_axes();
+  std::string script = gnuplot_terminal(PlotFormat::kSvg, kTracesWidth,
+                                        static_cast<int>(strips.size()) * kStripHeight) +
+                       thin_axes();
   script +=
       "set title font ',10' offset 0,-0.6\nset tics font ',9'\nset format y '%.3g'\nset ytics font "
       "',8'\n";
@@ -252,9 +252,9 @@ std::string structure_plot(const EquationResult& equation, const std::vector<std
   const std::vector<Panel> panels = panels_of(equation, logged);
   if (panels.empty()) return "";
   const std::size_t rows = (panels.size() + kColumns - 1) / kColumns;
-  std::string script =
-      gnuplot_terminal(PlotFormat::kSvg, kWidth, static_cast<int>(rows) * kPanelHeight) +
-      thin_axes();
+  std::string script = gnuplot_terminal(PlotFormat::kSvg, kTracesWidth,
+                                        static_cast<int>(rows) * kTracesPanelHeight) +
+                       thin_axes();
   script += "set xzeroaxis linetype 1 linecolor rgb '#888888'\nset title font ',10'\n";
   script += "set format x '%.3g'\nset format y '%.2g'\nset tics font ',9'\nset xtics autofreq\n";
   script += fmt::format("set multiplot layout {},{}\n", rows, kColumns);

@@ -15,7 +15,7 @@ using sweep::Swept;
 using sweep::SweptAxis;
 using sweep::SweptPoint;
 
-constexpr int kWidth = 960;
+constexpr int kSweepWidth = 960;
 constexpr int kHeight = 620;
 constexpr const char* kLine = "#0072b2";
 constexpr const char* kPresent = "#888888";
@@ -102,7 +102,7 @@ std::string present_line(const SweptAxis& axis, bool is_upright) {
 }
 
 std::string beginning(PlotFormat format, const Swept& swept) {
-  return gnuplot_terminal(format, kWidth, kHeight) +
+  return gnuplot_terminal(format, kSweepWidth, kHeight) +
          "set grid back linecolor rgb '#dddddd' linewidth 1\nset border linecolor rgb '#555555'\n"
          "set tics nomirror\nset key below horizontal spacing 1.3\n" +
          fmt::format("set title {}\nset xlabel {}\n", gnuplot_quoted(title_of(swept)),
