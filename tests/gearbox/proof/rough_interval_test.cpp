@@ -121,7 +121,9 @@ TEST(RoughInterval, HoldsWhatMoreBitsSayOfObjectives) {
       const auto rough = proof::rough_enclosure_on({measure}, alternative, box, roughly_allowed);
       ASSERT_TRUE(rough);
       // A box that may hold zero below a fraction is left alone by both; designs never are.
-      if (trial % 2 == 0) ASSERT_TRUE(rough->is_defined());
+      if (trial % 2 == 0) {
+        ASSERT_TRUE(rough->is_defined());
+      }
       if (!rough->is_defined()) continue;
       ++told;
       ASSERT_TRUE(holds_all(*rough, precise));
