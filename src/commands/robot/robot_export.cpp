@@ -48,9 +48,8 @@ bool is_module(const ExportOptions& options) { return options.format == "playgro
 void require_parts(const ExportOptions& options) {
   const hopper::MjcfParts& parts = options.parts;
   if (!options.randomisation_file.empty() && !hopper::find_event_writer(options.format)) {
-    io::refuse("--randomise",
-               fmt::format("{} has no form for it: these have: {}", options.format,
-                           fmt::join(hopper::randomised_formats(), ", ")));
+    io::refuse("--randomise", fmt::format("{} has no form for it: these have: {}", options.format,
+                                          fmt::join(hopper::randomised_formats(), ", ")));
   }
   const bool has_mjcf_parts = parts.ground || parts.collisions || parts.closed_loops;
   if (actuators_only(options)) {
