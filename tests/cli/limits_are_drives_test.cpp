@@ -61,13 +61,25 @@ TEST(LimitsAreDrives, AnArmIsNotHeldBeyondThem) {
 
 TEST(LimitsAreDrives, ARobotWithoutThemIsRefusedByName) {
   Workplace place;
-  place.write("arm.urdf", arm("effort=\"10\" velocity=\"0\""));
+  place.write("arm.urdf", arm("effort=\"0\" velocity=\"5\""));
   const Outcome imported =
       place.run({"robot", "import", "arm.urdf", "--actuators", ".", "-o", "arm.json"});
   EXPECT_EQ(imported.exit_code, 2);
-  EXPECT_NE(imported.err.find("--actuators: no joint of the robot states limits of both"),
+  EXPECT_NE(imported.err.find("--actuators: no joint of the robot states a limit of torque"),
             std::string::npos)
       << imported.err;
+}
+
+// A velocity of 0 is none that is stated: the torque holds at any speed, which is said.
+TEST(LimitsAreDrives, AJointWithoutALimitOfSpeedHasItsTorqueAtAny) {
+  Workplace place;
+  place.write("arm.urdf", arm("effort=\"10\" velocity=\"0\""));
+  const Outcome imported =
+      place.run({"robot", "import", "arm.urdf", "--actuators", ".", "-o", "arm.json"});
+  EXPECT_EQ(imported.exit_code, 0) << imported.err;
+  EXPECT_NE(imported.out.find("state no limit of speed have their torque at any"),
+            std::string::npos)
+      << imported.out;
 }
 
 TEST(LimitsAreDrives, SimulatorsGetThem) {

@@ -119,7 +119,7 @@ void add_lint_command(command_line::Command& actuator) {
   command.add_option("--resistance", options->resistance_ohm, "Between its terminals, in ohm")
       .otherwise("not known")
       .between(1e-6, 1e4);
-  command.add_option("--voltage", options->voltage_V, "Of its supply, in V")
+  command.add_option("--voltage", options->voltage_V, "Voltage of its supply, in V")
       .otherwise("/envelope/voltage_V, else not known")
       .between(0.1, 2000.0);
   command.add_option("--current", options->current_A, "At its peak torque, in A")
