@@ -285,8 +285,9 @@ class MjcfReader {
   /// Those that are no rod's of a loop.
   void split_balls_that_are_left() {
     for (const auto& [ball, placed] : balls_) {
-      const bool is_left = std::any_of(draft_.begin(), draft_.end(), [&](const DraftBody& draft) {
-        return draft.ball == ball.element;
+      const auto* element = ball.element;
+      const bool is_left = std::any_of(draft_.begin(), draft_.end(), [element](const auto& draft) {
+        return draft.ball == element;
       });
       if (is_left) split_ball(ball, placed);
     }
