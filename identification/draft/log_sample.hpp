@@ -13,6 +13,8 @@ struct LogSample {
   std::vector<std::string> units;  ///< As they stand under the header; empty where none stand.
   /// Numbers by column; not a number where a cell holds none.
   std::vector<std::vector<double>> numbers;
+  /// By column the rows, from 0, whose cell reads otherwise than that of the row before.
+  std::vector<std::vector<std::size_t>> changes;
 };
 
 /// Reads the header of a CSV file and at most `most_rows` rows. Throws io::SpecError for a file

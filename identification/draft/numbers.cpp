@@ -72,6 +72,14 @@ bool looks_like_time(const Series& series) {
   return static_cast<double>(even) >= kLeastEvenShare * static_cast<double>(steps.size());
 }
 
+std::vector<std::size_t> falls_of(const Series& series) {
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 1; i < series.size(); ++i) {
+    if (series[i] < series[i - 1]) rows.push_back(i);
+  }
+  return rows;
+}
+
 std::optional<io::Unit> unit_of_time(const Series& time) {
   std::vector<double> steps = steps_of(time);
   std::erase_if(steps, [](double step) { return step <= 0.0; });

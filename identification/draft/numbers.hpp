@@ -16,6 +16,9 @@ using Series = std::vector<double>;
 /// Whether the numbers only grow, and in steps that are nearly all within half of their median.
 bool looks_like_time(const Series& series);
 
+/// The rows, from 0, whose number is less than that of the row before.
+std::vector<std::size_t> falls_of(const Series& series);
+
 /// The unit in which the median step is that of a recorder: the first of s, ms, us and ns with 5 to
 /// 100,000 rows per second. Empty: none is.
 std::optional<io::Unit> unit_of_time(const Series& time);

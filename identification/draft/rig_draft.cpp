@@ -42,6 +42,7 @@ class Draft {
 
   RigDraft draft() {
     find_time();
+    find_runs();
     name_joints();
     drop_doubles();
     find_units();
@@ -49,6 +50,7 @@ class Draft {
     RigDraft draft;
     draft.columns = std::move(guesses_);
     draft.joints.assign(joints_.begin(), joints_.end());
+    draft.unnamed_run = unnamed_run_;
     return draft;
   }
 
@@ -75,6 +77,21 @@ class Draft {
     if (time == nullptr || time->unit) return;
     time->unit = unit_of_time(numbers_of(*time));
     if (time->unit) time->why += fmt::format("; in {}, by its step", time->unit->name);
+  }
+
+  /// Where no name says it, the runs stand in the column that changes just where time begins again.
+  void find_runs() {
+    const ColumnGuess* time = find(Quantity::kTime, "");
+    if (time == nullptr || find(Quantity::kRun, "") != nullptr) return;
+    const std::vector<std::size_t> begins = falls_of(numbers_of(*time));
+    if (begins.empty()) return;
+    for (std::size_t c = 0; c < guesses_.size(); ++c) {
+      if (guesses_[c].quantity || sample_.changes[c] != begins) continue;
+      guesses_[c].quantity = Quantity::kRun;
+      guesses_[c].why = "it changes where time begins again, and nowhere else";
+      return;
+    }
+    unnamed_run_ = begins.front();
   }
 
   /// Words that are left in names tell joints apart where a quantity stands with several of them.
@@ -186,6 +203,7 @@ class Draft {
   const LogSample& sample_;
   std::vector<ColumnGuess> guesses_;
   std::set<std::string> joints_;
+  std::size_t unnamed_run_ = 0;
 };
 
 bool has(const RigDraft& draft, Quantity quantity) {
@@ -198,6 +216,12 @@ std::vector<std::string> what_is_open(const RigDraft& draft) {
   if (!has(draft, Quantity::kTime)) {
     open.emplace_back(
         "No column is a time: the log is read as values that hold the actuator at positions.");
+  }
+  if (draft.unnamed_run > 0) {
+    open.push_back(fmt::format(
+        "Time begins again at row {} of the data, and no column changes just there: where runs "
+        "follow one another, add a column that names them, of the quantity \"run\".",
+        draft.unnamed_run + 1));
   }
   if (!draft.joints.empty()) {
     open.push_back(fmt::format(

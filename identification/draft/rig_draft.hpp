@@ -17,7 +17,9 @@ struct RigDraft {
   /// it.
   bool is_dynamometer = false;
   std::vector<std::string> joints;  ///< Names in the columns; empty where there is one joint.
-  std::vector<std::string> open;    ///< Sentences on what the log does not say.
+  /// Row, from 0, at which time begins again though no column names runs; 0: none.
+  std::size_t unnamed_run = 0;
+  std::vector<std::string> open;  ///< Sentences on what the log does not say.
 };
 
 /// Drafts the rig of a log (CSV) from its header, the units under it and its first rows. What is

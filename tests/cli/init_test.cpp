@@ -205,6 +205,19 @@ TEST(Init, DraftsARigFromALogThatIdentifyTakes) {
   EXPECT_EQ(found.err.find("rig.json"), std::string::npos) << found.err;
 }
 
+// The example log, of which the runs' column is called otherwise. Oracle: its own first column,
+// four names of 1500 rows each, which identify needs since each run's time begins at 0.
+TEST(Init, DraftsTheRigOfTheExampleWithoutAnEditor) {
+  const Workplace place;
+  const std::string log = in_specs("log/bench.csv");
+  ASSERT_EQ(place.run({"init", "rig", "--from", log, "-o", "rig.json"}).exit_code, 0);
+  EXPECT_EQ(json::parse(place.text("rig.json"))["columns"]["Test"], "run");
+  const Outcome found = place.run(
+      {"identify", log, "--rig", "rig.json", "--actuator", in_specs("log/bench_actuator.json")});
+  EXPECT_LE(found.exit_code, 1) << found.err;
+  EXPECT_NE(found.out.find("held out: T3, T4"), std::string::npos) << found.out;
+}
+
 TEST(Init, FromWhatIsNoLogIsRefused) {
   const Workplace place;
   place.write("log.csv", "apples,pears\n1,2\n2,1\n");

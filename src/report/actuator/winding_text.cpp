@@ -20,7 +20,8 @@ std::string row(std::string_view name, const actuator::WindingInterval& interval
 std::string winding_text(const actuator::WindingEstimate& estimate) {
   std::string text = "\nwinding behind the curve, at the motor's shaft, as one (dc) winding\n";
   if (!estimate.contradiction.empty()) {
-    return text + "  cannot be together: the curve's, " + estimate.contradiction + "\n";
+    return text + "  contradiction: the curve's, " + estimate.contradiction +
+           " cannot be together; one of them is another\n";
   }
   text += row("torque constant", estimate.torque_constant_Nm_A, "Nm/A") +
           row("resistance between terminals", estimate.resistance_ohm, "ohm") +

@@ -103,6 +103,23 @@ TEST(RigDraft, TellsTimeByItsNumbers) {
   EXPECT_EQ(taken_for(without, "x"), "");
 }
 
+// Two runs of which each begins at 0: the column that changes there names them, whatever it is
+// called; one that changes elsewhere too does not, and then the draft says where time begins again.
+TEST(RigDraft, TellsRunsByWhereTimeBeginsAgain) {
+  const auto log = [](double changes_after_s) {
+    return drafted("Test,t_s,q_rad,i_A", [changes_after_s](double t_s) {
+      return fmt::format("{},{},{},{}", t_s < changes_after_s ? "T1" : "T2", std::fmod(t_s, 1.5),
+                         angle_rad(t_s), current_A(t_s));
+    });
+  };
+  EXPECT_EQ(taken_for(log(1.5), "Test"), "run -");
+  EXPECT_FALSE(guess_of(log(1.5), "Test").is_sure);
+  const RigDraft other = log(1.0);
+  EXPECT_EQ(taken_for(other, "Test"), "");
+  EXPECT_EQ(other.unnamed_run, 750u);
+  EXPECT_NE(other.open.front().find("row 751"), std::string::npos) << other.open.front();
+}
+
 // A driver's torque is its constant times the current, to the last digit; a sensor's is not.
 TEST(RigDraft, TellsADriversTorqueFromASensors) {
   const auto log = [](double noise_Nm) {
