@@ -71,16 +71,10 @@ void add_bodies(const DrawnParts& parts, const Robot& robot, PythonTerms& terms)
 
 /// A term draws from the places as they were: all axes of a body in one.
 void add_shifts(const DrawnParts& parts, PythonTerms& terms) {
-  const std::vector<BodyShift>& all = parts.center_of_mass_m;
-  for (std::size_t i = 0; i < all.size();) {
-    std::string ranges;
-    const std::string& body = all[i].body;
-    for (; i < all.size() && all[i].body == body; ++i) {
-      ranges += fmt::format("{}\"{}\": {}", ranges.empty() ? "" : ", ", "xyz"[all[i].axis],
-                            python_pair(all[i].range_m));
-    }
+  const std::array<std::string_view, 3> axes = {"\"x\"", "\"y\"", "\"z\""};
+  for (const BodyRanges& each : ranges_by_body(parts.center_of_mass_m, axes)) {
     terms.add("center_of_mass", "mdp.randomize_rigid_body_com", "startup",
-              {asset("body_names", {body}), "\"com_range\": {" + ranges + "}"});
+              {asset("body_names", {each.body}), "\"com_range\": " + each.ranges});
   }
 }
 

@@ -30,17 +30,10 @@ void add_masses(const DrawnParts& parts, const Robot& robot, PythonTerms& terms)
 
 /// All axes of a body in one term: a second would begin anew.
 void add_shifts(const DrawnParts& parts, PythonTerms& terms) {
-  const std::vector<BodyShift>& all = parts.center_of_mass_m;
-  for (std::size_t i = 0; i < all.size();) {
-    std::string ranges;
-    const std::string& body = all[i].body;
-    for (; i < all.size() && all[i].body == body; ++i) {
-      ranges += fmt::format("{}{}: {}", ranges.empty() ? "" : ", ", all[i].axis,
-                            python_pair(all[i].range_m));
-    }
+  for (const BodyRanges& each : ranges_by_body(parts.center_of_mass_m, {"0", "1", "2"})) {
     terms.add(
         "center_of_mass", "dr.body_com_offset", "startup",
-        {asset("body_names", {body}), "\"ranges\": {" + ranges + "}", "\"operation\": \"add\""});
+        {asset("body_names", {each.body}), "\"ranges\": " + each.ranges, "\"operation\": \"add\""});
   }
 }
 

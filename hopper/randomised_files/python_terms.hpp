@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "actuator/exporters/text.hpp"
 #include "hopper/randomised_files/drawn_parts.hpp"
@@ -13,6 +16,26 @@ namespace torquewright::hopper {
 /// "(0.9, 1.1)"
 inline std::string python_pair(const Range& range) {
   return fmt::format("({}, {})", range.least, range.greatest);
+}
+
+/// The shifts of one body as a dictionary of Python: `{"x": (-0.01, 0.01), "z": (0, 0.01)}`.
+struct BodyRanges {
+  std::string body;
+  std::string ranges;
+};
+
+/// Shifts by body, all axes of one together; `keys` are what Python calls the three axes.
+inline std::vector<BodyRanges> ranges_by_body(const std::vector<BodyShift>& shifts,
+                                              const std::array<std::string_view, 3>& keys) {
+  std::vector<BodyRanges> all;
+  for (const BodyShift& each : shifts) {
+    const bool is_new = all.empty() || all.back().body != each.body;
+    if (is_new) all.push_back({each.body, "{"});
+    all.back().ranges +=
+        fmt::format("{}{}: {}", is_new ? "" : ", ", keys[each.axis], python_pair(each.range_m));
+  }
+  for (BodyRanges& each : all) each.ranges += "}";
+  return all;
 }
 
 /// A dictionary of terms, whose names are of no other.
