@@ -34,13 +34,16 @@ std::optional<double> finite(double value) {
 
 }  // namespace
 
+double rest_speed_rad_s(const Actuator& actuator, const PhaseModel& model) {
+  return kRoundedRest * no_load_speed_rad_s(model) / std::abs(actuator.transmission.ratio);
+}
+
 CheckBasis::CheckBasis(const Actuator& checked, const OperatingConditions& conditions)
     : actuator(&checked),
       temperature_K(winding_temperature_K(checked, conditions)),
       rotor(checked),
       lookup(rotor.behind_any_teeth(checked), conditions),
-      rest_rad_s(kRoundedRest * no_load_speed_rad_s(lookup.model()) /
-                 std::abs(checked.transmission.ratio)),
+      rest_rad_s(rest_speed_rad_s(checked, lookup.model())),
       heat(heat_model(checked)) {}
 
 std::shared_ptr<const HeldRegion> held_region(const CheckBasis& basis,
@@ -61,7 +64,7 @@ InterpretationCheck::InterpretationCheck(const CheckBasis& basis, bool wants_spe
 bool InterpretationCheck::add(double time_s, double speed_rad_s, double torque_Nm,
                               double acceleration_rad_s2) {
   const RegionLookup& lookup = lookup_;
-  if (std::abs(speed_rad_s) < basis_->rest_rad_s) speed_rad_s = 0.0;
+  speed_rad_s = basis_->counted_rad_s(speed_rad_s);
   const auto [motor_Nm, teeth_Nm] =
       basis_->rotor.of(speed_rad_s, torque_Nm, acceleration_rad_s2, last_speed_rad_s_);
   last_speed_rad_s_ = speed_rad_s;

@@ -14,9 +14,18 @@
 
 namespace torquewright::actuator {
 
+/// Returns the speed at the output [rad/s] below which a drive counts as at rest: what rounding
+/// leaves of no speed must not choose the direction that the mesh drives in.
+double rest_speed_rad_s(const Actuator& actuator, const PhaseModel& model);
+
 /// What all samples of one actuator are judged by.
 struct CheckBasis {
   CheckBasis(const Actuator& actuator, const OperatingConditions& conditions);
+
+  /// Returns the speed, or 0 where it counts as rest.
+  double counted_rad_s(double speed_rad_s) const {
+    return std::abs(speed_rad_s) < rest_rad_s ? 0.0 : speed_rad_s;
+  }
 
   const Actuator* actuator;
   double temperature_K;

@@ -113,6 +113,47 @@ void add_spin(const CheckedMotion& checked, const Flight& flight, std::vector<io
            missed_contact(checked.motion), help_words(checked.motion))});
 }
 
+/// Difference of the file's contact forces from those that the motion asks for, all points together,
+/// averaged over the motion: by Newton's law momentum alone decides it, however rough the
+/// accelerations are.
+double mean_force_error_N(const CheckedMotion& checked) {
+  const Eigen::MatrixXd apart_N = checked.contacts.guide_N - checked.demand.forces_N;
+  Eigen::Vector3d mean_N = Eigen::Vector3d::Zero();
+  for (Eigen::Index row = 0; row < apart_N.rows(); row += 3) {
+    mean_N += apart_N.middleRows<3>(row).rowwise().mean();
+  }
+  return mean_N.norm();
+}
+
+/// What impacts may carry beside the forces of samples, as a mean over the motion.
+double impacts_N(const CheckedMotion& checked) {
+  double impulses_N_s = 0.0;
+  for (const Jolt& jolt : checked.demand.jolts) impulses_N_s += jolt.impulses_N_s.norm();
+  return impulses_N_s / checked.motion.duration_s();
+}
+
+/// Refuses contact forces of a file that another robot's weight, or another unit, must have made.
+void add_forces(const CheckedMotion& checked, std::vector<io::Fault>& faults) {
+  if (!checked.motion.forces_guide) return;
+  const double weight_N = checked.demand.weight_N;
+  const double error_N = mean_force_error_N(checked);
+  const double limit_N = checked.options.residual_share * weight_N + impacts_N(checked);
+  if (error_N <= limit_N) return;
+  const auto up_N = [](const Eigen::MatrixXd& forces_N) {
+    double sum_N = 0.0;
+    for (Eigen::Index row = 2; row < forces_N.rows(); row += 3) sum_N += forces_N.row(row).mean();
+    return sum_N;
+  };
+  faults.push_back(
+      {checked.motion.file, "",
+       fmt::format("the file's contact forces carry {:.4g} N on average and this robot's motion "
+                   "asks for {:.4g} N (its weight is {:.4g} N): all in all they are off by {:.4g} N "
+                   "(limit {:.3g} N); forces in another unit, axes or of another robot? Without "
+                   "these columns forces are solved from the motion; --residual-limit allows more",
+                   up_N(checked.contacts.guide_N), up_N(checked.demand.forces_N), weight_N, error_N,
+                   limit_N)});
+}
+
 }  // namespace
 
 bool is_physical(const BaseResidual& residual, const std::vector<Flight>& flights) {
@@ -133,6 +174,7 @@ void require_physical(const CheckedMotion& checked, const BaseResidual& residual
     add_fall(checked, flight, faults);
     add_spin(checked, flight, faults);
   }
+  add_forces(checked, faults);
   const auto require_over = [&](double window_s, const char* question, const ResidualPeak& peak,
                                 const char* what, const char* unit) {
     if (peak.mean <= peak.limit) return;

@@ -101,20 +101,21 @@ class SeriesPass {
     for (Index sample = 0; sample < motion_.samples(); ++sample) {
       const DriveInstant& at =
           demand().drives[static_cast<std::size_t>(drive)][static_cast<std::size_t>(sample)];
+      const double speed_rad_s = own.counted_rad_s(at.speed_rad_s);
       const double motor_Nm = own.rotor
-                                  .of(at.speed_rad_s, report_.torques_Nm(drive, sample),
+                                  .of(speed_rad_s, report_.torques_Nm(drive, sample),
                                       at.rotor_acceleration_rad_s2(rotor_kg_m2), before_rad_s)
                                   .motor_Nm;
-      before_rad_s = at.speed_rad_s;
+      before_rad_s = speed_rad_s;
       const actuator::RegionLookup lookup =
           held ? actuator::RegionLookup(held, bus->voltage_V[sample], temperature_K) : own.lookup;
-      const actuator::TorqueRange range = lookup.at(at.speed_rad_s, motor_Nm);
+      const actuator::TorqueRange range = lookup.at(speed_rad_s, motor_Nm);
       if (!range.is_empty) {
         found.col(sample).segment<3>(3) << range.least_Nm, range.greatest_Nm,
             -range.excess_Nm(motor_Nm);
       }
       const auto asked =
-          actuator::demand_at(actuator, model, temperature_K, at.speed_rad_s, motor_Nm);
+          actuator::demand_at(actuator, model, temperature_K, speed_rad_s, motor_Nm);
       if (!asked) continue;
       found.col(sample).head<2>() << asked->current_A, asked->bus_power_W;
       found(2, sample) =

@@ -9,6 +9,7 @@
 
 #include "actuator/drive_check/demand.hpp"
 #include "actuator/drive_check/geared_torque.hpp"
+#include "actuator/drive_check/interpretation_check.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "io/text/time_text.hpp"
 #include "io/text/wording.hpp"
@@ -37,15 +38,17 @@ void add_power(const CheckedMotion& checked, const actuator::Actuator& actuator,
   const double temperature_K = winding_temperature_K(actuator, checked.options.conditions);
   const actuator::RotorBeforeMesh rotor(actuator);
   const double rotor_kg_m2 = actuator::before_gears_kg_m2(actuator);
+  const double rest_rad_s = actuator::rest_speed_rad_s(actuator, model);
   double before_rad_s = 0.0;
   for (Index sample = 0; sample < power_W.size(); ++sample) {
     const DriveInstant& at = checked.demand.drives[drive][static_cast<std::size_t>(sample)];
     const double torque_Nm = torques_Nm(static_cast<Index>(drive), sample);
+    const double speed_rad_s = std::abs(at.speed_rad_s) < rest_rad_s ? 0.0 : at.speed_rad_s;
     const auto asked = actuator::demand_at(
-        actuator, model, temperature_K, at.speed_rad_s,
-        rotor.of(at.speed_rad_s, torque_Nm, at.rotor_acceleration_rad_s2(rotor_kg_m2), before_rad_s)
+        actuator, model, temperature_K, speed_rad_s,
+        rotor.of(speed_rad_s, torque_Nm, at.rotor_acceleration_rad_s2(rotor_kg_m2), before_rad_s)
             .motor_Nm);
-    before_rad_s = at.speed_rad_s;
+    before_rad_s = speed_rad_s;
     if (asked) power_W[sample] += asked->bus_power_W;
   }
 }

@@ -17,9 +17,6 @@ namespace {
 
 using Eigen::Index;
 
-// A foot that bears less, in shares of the weight, has no centre of pressure. A choice of ours.
-constexpr double kBearsLoad = 1e-2;
-
 struct Nearest {
   double margin_m = std::numeric_limits<double>::infinity();
   double time_s = 0.0;

@@ -11,6 +11,10 @@ namespace torquewright::hopper {
 /// line here; docs/checks.md says what it looks at.
 using Rule = std::vector<Finding> (*)(const CheckedMotion& checked);
 
+/// Share of the weight: what carries less bears no load, so that it has no centre of pressure and
+/// the ratio of its forces says nothing. A choice of ours.
+constexpr double kBearsLoad = 0.01;
+
 std::vector<Finding> center_of_pressure(const CheckedMotion& checked);
 std::vector<Finding> contact_above_ground(const CheckedMotion& checked);
 std::vector<Finding> friction_cone(const CheckedMotion& checked);

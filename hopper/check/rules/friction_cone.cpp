@@ -15,7 +15,6 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kSmallForce = 1e-3;  // of the weight: below that a ratio says nothing
 constexpr double kRoundOff = 1e-6;
 
 }  // namespace
@@ -26,7 +25,7 @@ std::vector<Finding> friction_cone(const CheckedMotion& checked) {
   if (!demand.has_dynamics) return findings;
   const Eigen::MatrixXd& forces_N =
       checked.motion.has_forces ? checked.motion.forces_N : demand.forces_N;
-  const double small_N = kSmallForce * demand.weight_N;
+  const double small_N = kBearsLoad * demand.weight_N;
   std::optional<Finding> most_used;
   double most_share = 0.0;
   for (Index i = 0; i < static_cast<Index>(checked.robot.contacts.size()); ++i) {

@@ -360,6 +360,34 @@ TEST_F(FlipGears, HoldAndTheLandingIsNotTheirWorst) {
   EXPECT_NEAR(report.contact_loads.at(0).motor_Nm, 17.54, 5e-3);  // the seed's figure, no verdict
 }
 
+/// The series of the hopper that holds the squat's first posture, where a knee at rest is said to
+/// turn this fast to and fro.
+Series held_series(const Robot& robot, double knee_rad_s) {
+  Motion motion = read_motion(
+      robot, {TORQUEWRIGHT_SOURCE_DIR "/specs/trajectory/hopper_squat.csv", {}, {}, {}});
+  motion.positions = motion.positions.col(0).replicate(1, motion.samples()).eval();
+  motion.velocities.setZero(9, motion.samples());
+  motion.velocity_origin = Origin::kGiven;
+  for (Eigen::Index i = 0; i < motion.samples(); ++i) {
+    motion.velocities(6, i) = i % 2 == 0 ? knee_rad_s : -knee_rad_s;
+  }
+  const CheckOptions options;
+  const HopperReport report = check_motion(robot, motion, options);
+  return series_of(robot, motion, options, report, SeriesDetail::kDrives);
+}
+
+// Oracle: a knee at rest is at rest, whichever way rounding has it turn.
+TEST(Series, AtAStopTakesNoSideOfRounding) {
+  const Robot robot = read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json").robot;
+  const Series still = held_series(robot, 0.0), rounded = held_series(robot, 1e-17);
+  for (const char* header : {"knee_torque_margin_Nm", "knee_torque_max_Nm", "knee_torque_min_Nm",
+                             "knee_current_A", "knee_bus_voltage_V"}) {
+    const double apart =
+        (*find_column(still, header) - *find_column(rounded, header)).cwiseAbs().maxCoeff();
+    EXPECT_LT(apart, 1e-9) << header;
+  }
+}
+
 // Columns of the series are what the report summarises.
 TEST_F(FlipGears, StandInTheSeries) {
   CheckOptions options;

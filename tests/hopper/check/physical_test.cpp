@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <random>
 
@@ -200,7 +201,7 @@ TEST(TimeGap, IsSaidAndNothingIsDifferentiatedAcrossIt) {
 }
 
 /// What is said of the squat, in which a flat foot stands all the time, where the file denies that.
-std::string refusal_of_squat(void (*deny)(Motion&, Index contacts)) {
+std::string refusal_of_squat(const std::function<void(Motion&, Index contacts)>& deny) {
   const Robot robot = read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json").robot;
   Motion motion = read_motion(
       robot, {TORQUEWRIGHT_SOURCE_DIR "/specs/trajectory/hopper_squat.csv", {}, {}, {}});
@@ -230,6 +231,29 @@ TEST(Contacts, ThatTheFileDeniesAreNamedAsItsOwn) {
   EXPECT_NE(forces.find("the file's contact forces say that it does not"), std::string::npos)
       << forces;
   EXPECT_EQ(forces.find("--contact-height"), std::string::npos) << forces;
+}
+
+// Oracle: momentum. The squat begins and ends at rest, so that the ground carries the weight on
+// average, whatever the accelerations are.
+TEST(Contacts, WhoseForcesCarryAnotherWeightAreRefused) {
+  const Robot robot = read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json").robot;
+  Motion squat = read_motion(
+      robot, {TORQUEWRIGHT_SOURCE_DIR "/specs/trajectory/hopper_squat.csv", {}, {}, {}});
+  const double weight_N = check_motion(robot, squat, {}).demand.weight_N;
+  const auto carrying = [&](double weights) {
+    return refusal_of_squat([&](Motion& motion, Index contacts) {
+      motion.has_forces = true;
+      motion.forces_N.setZero(3 * contacts, motion.samples());
+      const double each_N = weights * weight_N / static_cast<double>(contacts);
+      for (Index row = 2; row < 3 * contacts; row += 3) motion.forces_N.row(row).setConstant(each_N);
+    });
+  };
+  EXPECT_EQ(carrying(1.0), "");
+  EXPECT_EQ(carrying(1.08), "");
+  for (const double weights : {10.0, 1.2, 0.8}) {
+    const std::string said = carrying(weights);
+    EXPECT_NE(said.find("the file's contact forces carry"), std::string::npos) << weights << said;
+  }
 }
 
 // Radius of gyration sqrt(0.6/10): 1 % of 98.1 N at 0.245 m make 0.12 Nm s in 0.5 s, 2 % of 6 Nm s

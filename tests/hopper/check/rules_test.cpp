@@ -182,7 +182,7 @@ TEST(FrictionCone, NotesThePointThatUsesMostOfIts) {
   push(scene, 0, 1, {9.0, -12.0, 50.0});  // 15 of 50
   push(scene, 0, 2, {0.0, 2.0, 50.0});
   push(scene, 1, 3, {0.0, -10.0, 40.0});  // 10 of 40
-  push(scene, 2, 3, {0.05, 0.0, 0.05});   // less than a thousandth of the weight: no ratio
+  push(scene, 2, 3, {0.9, 0.0, 0.18});    // 5 of less than a hundredth of the weight: no ratio
   const std::vector<Finding> findings = friction_cone(scene.checked());
   ASSERT_EQ(findings.size(), 1u);
   EXPECT_EQ(findings[0].severity, Severity::kNote);
@@ -197,7 +197,7 @@ TEST(FrictionCone, IsBrokenByEveryPointThatSlipsOrIsPulled) {
   push(scene, 2, 1, {0.0, 0.0, -4.0});
   push(scene, 2, 2, {0.0, 0.0, -7.0});
   push(scene, 2, 3, {0.0, 0.0, -5.0});
-  push(scene, 3, 2, {0.0, 0.0, -0.09});  // less than a thousandth of the weight
+  push(scene, 3, 2, {0.0, 0.0, -0.9});  // less than a hundredth of the weight
   const std::vector<Finding> findings = friction_cone(scene.checked());
   ASSERT_EQ(findings.size(), 3u);
   expect_finding(findings[0], "friction-cone", "point0", 1.0, 0.75, 0.6);
