@@ -6,6 +6,12 @@
 #include "actuator/region/torque_at.hpp"
 
 namespace torquewright::actuator {
+namespace {
+
+/// Of the torque: what rounding leaves of no acceleration must not choose a direction at rest.
+constexpr double kNoAcceleration = 1e-9;
+
+}  // namespace
 
 RotorBeforeMesh::RotorBeforeMesh(const Actuator& actuator)
     : rotor_kg_m2_(before_gears_kg_m2(actuator)),
@@ -16,7 +22,8 @@ GearedTorque RotorBeforeMesh::of(double speed_rad_s, double torque_Nm, double ac
                                  double before_rad_s) const {
   const double rotor_Nm = rotor_kg_m2_ * acceleration_rad_s2;
   const double teeth_Nm = torque_Nm - rotor_Nm;
-  if (rotor_Nm == 0.0 || !std::isfinite(driven_)) return {torque_Nm, teeth_Nm};
+  const bool accelerates = std::abs(rotor_Nm) > kNoAcceleration * std::abs(torque_Nm);
+  if (!accelerates || !std::isfinite(driven_)) return {torque_Nm, teeth_Nm};
   double direction = acceleration_rad_s2;
   if (before_rad_s != 0.0) direction = before_rad_s;
   if (speed_rad_s != 0.0) direction = speed_rad_s;

@@ -378,7 +378,10 @@ Series held_series(const Robot& robot, double knee_rad_s) {
 
 // Oracle: a knee at rest is at rest, whichever way rounding has it turn.
 TEST(Series, AtAStopTakesNoSideOfRounding) {
-  const Robot robot = read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json").robot;
+  Robot robot = read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json").robot;
+  actuator::Transmission& gears = robot.drivetrains.at(0).actuators.at(0).transmission;
+  gears.forward_efficiency = 0.8;
+  gears.backward_efficiency = 0.75;
   const Series still = held_series(robot, 0.0), rounded = held_series(robot, 1e-17);
   for (const char* header : {"knee_torque_margin_Nm", "knee_torque_max_Nm", "knee_torque_min_Nm",
                              "knee_current_A", "knee_bus_voltage_V"}) {
