@@ -60,6 +60,7 @@ def judge(truth, report):
     groups = [g["effects"] for g in report["confounded"] if not g["exact"]]
     exact = [g["effects"] for g in report["confounded"] if g["exact"]]
     grouped = {name for group in groups for name in group}
+    one_of_several = grouped | {name for group in exact for name in group}
     certain = [name for name in added if name not in grouped]
     for group in exact:  # what no log of such a rig can tell
         if allowed & set(group):
@@ -72,7 +73,7 @@ def judge(truth, report):
     wrong = [name for name in certain if name not in allowed]
     kind = truth["class"]
     if kind == "undecidable":
-        wrong = list(certain)
+        wrong = [name for name in certain if name not in one_of_several]
         right = not wrong
     elif kind in ("none", "outside"):
         right = not wrong

@@ -113,8 +113,8 @@ void add_spin(const CheckedMotion& checked, const Flight& flight, std::vector<io
            missed_contact(checked.motion), help_words(checked.motion))});
 }
 
-/// Difference of the file's contact forces from those that the motion asks for, all points together,
-/// averaged over the motion: by Newton's law momentum alone decides it, however rough the
+/// Difference of the file's contact forces from those that the motion asks for, all points
+/// together, averaged over the motion: by Newton's law momentum alone decides it, however rough the
 /// accelerations are.
 double mean_force_error_N(const CheckedMotion& checked) {
   const Eigen::MatrixXd apart_N = checked.contacts.guide_N - checked.demand.forces_N;
@@ -146,12 +146,13 @@ void add_forces(const CheckedMotion& checked, std::vector<io::Fault>& faults) {
   };
   faults.push_back(
       {checked.motion.file, "",
-       fmt::format("the file's contact forces carry {:.4g} N on average and this robot's motion "
-                   "asks for {:.4g} N (its weight is {:.4g} N): all in all they are off by {:.4g} N "
-                   "(limit {:.3g} N); forces in another unit, axes or of another robot? Without "
-                   "these columns forces are solved from the motion; --residual-limit allows more",
-                   up_N(checked.contacts.guide_N), up_N(checked.demand.forces_N), weight_N, error_N,
-                   limit_N)});
+       fmt::format(
+           "the file's contact forces carry {:.4g} N on average and this robot's motion "
+           "asks for {:.4g} N (its weight is {:.4g} N): all in all they are off by {:.4g} N "
+           "(limit {:.3g} N); forces in another unit, axes or of another robot? Without "
+           "these columns forces are solved from the motion; --residual-limit allows more",
+           up_N(checked.contacts.guide_N), up_N(checked.demand.forces_N), weight_N, error_N,
+           limit_N)});
 }
 
 }  // namespace

@@ -114,8 +114,7 @@ class SeriesPass {
         found.col(sample).segment<3>(3) << range.least_Nm, range.greatest_Nm,
             -range.excess_Nm(motor_Nm);
       }
-      const auto asked =
-          actuator::demand_at(actuator, model, temperature_K, speed_rad_s, motor_Nm);
+      const auto asked = actuator::demand_at(actuator, model, temperature_K, speed_rad_s, motor_Nm);
       if (!asked) continue;
       found.col(sample).head<2>() << asked->current_A, asked->bus_power_W;
       found(2, sample) =

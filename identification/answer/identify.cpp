@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "identification/answer/alike_split.hpp"
 #include "identification/answer/allowed_equations.hpp"
 #include "identification/answer/analysis.hpp"
 #include "identification/findings/joint_verdicts.hpp"
@@ -77,13 +78,14 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
   for (const JointActuator& each : actuators) stated.push_back(each.nominal.actuator);
   check_against(log, rig, stated);
   check_equations(log, rig);
+  std::vector<const actuator::Actuator*> nominal;
+  for (const JointActuator& each : actuators) nominal.push_back(&each.nominal.actuator);
+  split_alike(log, rig, nominal);
   Identification found;
   found.findings = log.findings;
   found.train_runs = log.train_runs;
   found.holdout_runs = log.holdout_runs;
   found.files = log.files;
-  std::vector<const actuator::Actuator*> nominal;
-  for (const JointActuator& each : actuators) nominal.push_back(&each.nominal.actuator);
   for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
     AnalysisOptions analysis = options.analysis;
     analysis.select = options.select && !has_error(log.findings);  // no names from such data

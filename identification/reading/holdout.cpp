@@ -21,6 +21,7 @@ namespace {
 using Names = std::vector<std::string>;
 
 constexpr std::size_t kMostHeldOutListed = 20;
+constexpr const char* kUnnamed = "the rig names no holdout_runs";
 
 Names names_of(const Runs& runs) {
   Names names;
@@ -129,6 +130,16 @@ void hold_out_last_third(Log& log, bool is_steady) {
                    name, is_steady ? "a third of its states, evenly spread," : "its last third")});
 }
 
+/// Fits all runs but those that are held out.
+void fit_the_rest(Log& log, const Names& names) {
+  log.train_runs.clear();
+  std::copy_if(names.begin(), names.end(), std::back_inserter(log.train_runs),
+               [&](const std::string& name) {
+                 return std::find(log.holdout_runs.begin(), log.holdout_runs.end(), name) ==
+                        log.holdout_runs.end();
+               });
+}
+
 }  // namespace
 
 void choose_holdout(Log& log, const Rig& rig) {
@@ -142,18 +153,22 @@ void choose_holdout(Log& log, const Rig& rig) {
     const auto count = static_cast<std::ptrdiff_t>((names.size() + 2) / 3);
     log.holdout_runs.assign(names.end() - count, names.end());
     log.findings.push_back(
-        {Weight::kNote,
-         fmt::format("the rig names no holdout_runs: the last {} of {} runs {} "
-                     "held out: {}",
-                     count, names.size(), count == 1 ? "is" : "are", abridged(log.holdout_runs))});
+        {Weight::kNote, fmt::format("{}: the last {} of {} runs {} "
+                                    "held out: {}",
+                                    kUnnamed, count, names.size(), count == 1 ? "is" : "are",
+                                    abridged(log.holdout_runs))});
   } else {
     log.holdout_runs = rig.holdout_runs;
   }
-  std::copy_if(names.begin(), names.end(), std::back_inserter(log.train_runs),
-               [&](const std::string& name) {
-                 return std::find(log.holdout_runs.begin(), log.holdout_runs.end(), name) ==
-                        log.holdout_runs.end();
-               });
+  fit_the_rest(log, names);
+}
+
+void hold_out_instead(Log& log, const std::vector<std::string>& names, const std::string& why) {
+  std::erase_if(log.findings,
+                [](const DataFinding& each) { return each.sentence.starts_with(kUnnamed); });
+  log.holdout_runs = names;
+  fit_the_rest(log, names_of(log.runs));
+  log.findings.push_back({Weight::kNote, why + ": " + abridged(names)});
 }
 
 }  // namespace torquewright::identification

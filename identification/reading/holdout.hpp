@@ -11,4 +11,8 @@ namespace torquewright::identification {
 /// left to fit, and where a run has no load.
 void choose_holdout(Log& log, const Rig& rig);
 
+/// Holds out these runs in the place of those that were chosen where the rig names none; `why`
+/// becomes the finding, to which the names are added.
+void hold_out_instead(Log& log, const std::vector<std::string>& names, const std::string& why);
+
 }  // namespace torquewright::identification

@@ -24,6 +24,7 @@
 #include "identification/selection/run_results.hpp"
 #include "identification/selection/same_rig.hpp"
 #include "identification/selection/search.hpp"
+#include "identification/selection/wave_share.hpp"
 #include "io/text/wording.hpp"
 
 namespace torquewright::identification {
@@ -223,19 +224,11 @@ void append_groups(const Bench& bench, const ForwardEquation& equation, const Fo
 /// What the model leaves with some of its members alone, by their names.
 Errors errors_with(const ModelFitter& fitter, const ModelFit& best,
                    const std::vector<std::string>& names) {
-  EffectSet kept;
-  std::vector<double> coordinates(best.coordinates.data(), best.coordinates.data() + best.always);
-  for (std::size_t m = 0; m < best.members.size(); ++m) {
-    const EffectCandidate& member = *best.members[m];
-    if (std::find(names.begin(), names.end(), member.effect) == names.end()) continue;
-    kept.push_back(&member);
-    const double* first = best.coordinates.data() + best.first_of(m);
-    coordinates.insert(coordinates.end(), first, first + member.parameters.size());
-  }
+  const PartOfModel part = part_of(best, [&](const EffectCandidate& member) {
+    return std::find(names.begin(), names.end(), member.effect) != names.end();
+  });
   return errors_over(fitter.equation(), fitter.rows(),
-                     fitter.residual(kept, Eigen::Map<const Eigen::VectorXd>(
-                                               coordinates.data(),
-                                               static_cast<Eigen::Index>(coordinates.size()))));
+                     fitter.residual(part.members, part.coordinates));
 }
 
 std::vector<std::string> certain_of_actuator(const EquationResult& result) {
@@ -362,6 +355,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   doubt_laws_of_drag(rules.unexplained_floors, result);
   doubt_what_fails_held_out(rules.unexplained_floors, result);
   if (!result.is_noise_after) doubt_laws_of_position(fitter, kept, result);
+  if (equation.is_torque_balance) doubt_waves_hardly_seen(fitter, kept, result);
   describe_refused(judged, found, rules, result);
   result.runs = run_results(equation, rows, found.empty.residual, kept.residual);
   if (options.select) result.models = models_within_noise(bench, fitter, found);

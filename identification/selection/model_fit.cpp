@@ -101,6 +101,21 @@ Eigen::Index ModelFit::first_of(std::size_t member) const {
   return at;
 }
 
+PartOfModel part_of(const ModelFit& fit,
+                    const std::function<bool(const EffectCandidate& member)>& stays) {
+  PartOfModel part;
+  std::vector<double> kept(fit.coordinates.data(), fit.coordinates.data() + fit.always);
+  for (std::size_t m = 0; m < fit.members.size(); ++m) {
+    if (!stays(*fit.members[m])) continue;
+    part.members.push_back(fit.members[m]);
+    const double* first = fit.coordinates.data() + fit.first_of(m);
+    kept.insert(kept.end(), first, first + fit.members[m]->parameters.size());
+  }
+  part.coordinates =
+      Eigen::Map<const Eigen::VectorXd>(kept.data(), static_cast<Eigen::Index>(kept.size()));
+  return part;
+}
+
 /// A place in the space of parameters, with all that was found there.
 struct ModelFitter::Point {
   Eigen::VectorXd coordinates, residual, noise;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,15 @@ struct ModelFit {
   /// Number of coordinates that are always fitted; the rest are the members'.
   Eigen::Index always = 0;
 };
+
+/// Some members of a model, with their coordinates as they were fitted beside the others.
+struct PartOfModel {
+  EffectSet members;
+  Eigen::VectorXd coordinates;  ///< Coordinates of what is always fitted, then of each member.
+};
+
+PartOfModel part_of(const ModelFit& fit,
+                    const std::function<bool(const EffectCandidate& member)>& stays);
 
 /// Fits models of one equation by bounded least squares.
 class ModelFitter {

@@ -22,31 +22,6 @@ bool is_law_of_position(const std::string& effect) {
          (kind != nullptr && kind->acts == actuator::Acts::kOutputTorque);
 }
 
-/// A model without its laws of the position, the rest as it was, and how many numbers they had.
-struct Bare {
-  EffectSet members;
-  Eigen::VectorXd coordinates;
-  Eigen::Index numbers = 0;
-};
-
-Bare without_laws_of_position(const ModelFit& fit) {
-  Bare bare;
-  std::vector<double> kept(fit.coordinates.data(), fit.coordinates.data() + fit.always);
-  for (std::size_t m = 0; m < fit.members.size(); ++m) {
-    const auto count = static_cast<Eigen::Index>(fit.members[m]->parameters.size());
-    if (is_law_of_position(fit.members[m]->effect)) {
-      bare.numbers += count;
-      continue;
-    }
-    bare.members.push_back(fit.members[m]);
-    const double* first = fit.coordinates.data() + fit.first_of(m);
-    kept.insert(kept.end(), first, first + count);
-  }
-  bare.coordinates =
-      Eigen::Map<const Eigen::VectorXd>(kept.data(), static_cast<Eigen::Index>(kept.size()));
-  return bare;
-}
-
 /// (n x p) Chebyshev polynomials of the position over its range, from the constant on.
 Eigen::MatrixXd polynomials(const Rows& rows, Eigen::Index count) {
   const auto angle = [](const Signals& signals) {
@@ -86,18 +61,20 @@ double rms(const Eigen::VectorXd& values) {
 
 void doubt_laws_of_position(const ModelFitter& fitter, const ModelFit& fit,
                             EquationResult& result) {
-  const Bare bare = without_laws_of_position(fit);
+  const PartOfModel bare = part_of(
+      fit, [](const EffectCandidate& member) { return !is_law_of_position(member.effect); });
+  const Eigen::Index numbers = fit.coordinates.size() - bare.coordinates.size();
   const double floor = rms(fit.noise), laws = rms(fit.residual);
-  if (bare.numbers == 0) return;
+  if (numbers == 0) return;
   const Eigen::VectorXd rest = fitter.residual(bare.members, bare.coordinates);
-  const double curve = rms(left_by(fitter.rows(), polynomials(fitter.rows(), bare.numbers), rest));
+  const double curve = rms(left_by(fitter.rows(), polynomials(fitter.rows(), numbers), rest));
   if (curve * curve - floor * floor >= kMost * (laws * laws - floor * floor)) return;
   for (NamedEffect& each : result.added) {
     if (!is_law_of_position(each.effect) || !each.doubt.empty()) continue;
     each.doubt = fmt::format(
         "a smooth curve of the position with as many numbers, {}, leaves {:.4g} {} where this "
         "leaves {:.4g}: the torque is another function of the position",
-        bare.numbers, curve, result.unit, laws);
+        numbers, curve, result.unit, laws);
   }
 }
 

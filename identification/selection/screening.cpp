@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "identification/selection/screening.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
+
+#include "optimization/fit/least_squares_in_box.hpp"
 
 namespace torquewright::identification {
 namespace {
 
 constexpr std::size_t kPaired = 14;  ///< Candidates of which pairs are made.
 constexpr std::size_t kTeeth = 4;    ///< Waves of a comb.
-constexpr double kRidge = 1e-9;      ///< Relative, of columns that coincide.
 
 /// A candidate at one of its starts, beside the model.
 struct ScreenTrial {
@@ -20,70 +20,15 @@ struct ScreenTrial {
   std::vector<double> start;
   Eigen::VectorXd offset;  ///< (n) What the start itself changes.
   Eigen::MatrixXd slopes;  ///< (n x q)
+  Eigen::VectorXd sizes;   ///< (q) Of the parameters.
   double loss = 0.0;
   Eigen::VectorXd move;  ///< (q) From the start.
 };
 
-/// Columns scaled by sizes, products only.
-struct Products {
-  Eigen::MatrixXd power;
-  Eigen::VectorXd right;
-  double loss = 0.0;
-};
-
-/// Least squares with bounds on the last columns, by fixing one after the other that is beyond.
 struct Solution {
   Eigen::VectorXd move;
   double loss = 0.0;
 };
-
-Solution solve(const Products& products, const Eigen::VectorXd& lowest,
-               const Eigen::VectorXd& highest) {
-  const Eigen::Index p = products.right.size();
-  Solution solution{Eigen::VectorXd::Zero(p), products.loss};
-  std::vector<bool> fixed(static_cast<std::size_t>(p), false);
-  for (Eigen::Index round = 0; round <= p; ++round) {
-    std::vector<Eigen::Index> free;
-    for (Eigen::Index i = 0; i < p; ++i) {
-      if (!fixed[static_cast<std::size_t>(i)] && products.power(i, i) > 0.0) free.push_back(i);
-    }
-    const auto count = static_cast<Eigen::Index>(free.size());
-    Eigen::MatrixXd power(count, count);
-    Eigen::VectorXd right(count);
-    for (Eigen::Index a = 0; a < count; ++a) {
-      right[a] = -products.right[free[static_cast<std::size_t>(a)]];
-      for (Eigen::Index i = 0; i < p; ++i) {
-        if (fixed[static_cast<std::size_t>(i)])
-          right[a] -= products.power(free[static_cast<std::size_t>(a)], i) * solution.move[i];
-      }
-      for (Eigen::Index b = 0; b < count; ++b) {
-        power(a, b) =
-            products.power(free[static_cast<std::size_t>(a)], free[static_cast<std::size_t>(b)]);
-      }
-      power(a, a) *= 1.0 + kRidge;
-    }
-    const Eigen::VectorXd move = power.ldlt().solve(right);
-    Eigen::Index worst = -1;
-    double beyond = 0.0;
-    for (Eigen::Index a = 0; a < count; ++a) {
-      const Eigen::Index i = free[static_cast<std::size_t>(a)];
-      solution.move[i] = move[a];
-      const double over =
-          std::max(lowest[i] - move[a], move[a] - highest[i]) * std::sqrt(products.power(i, i));
-      if (over > beyond) {
-        beyond = over;
-        worst = i;
-      }
-    }
-    if (worst < 0 || !move.allFinite()) break;
-    fixed[static_cast<std::size_t>(worst)] = true;
-    solution.move[worst] = std::clamp(solution.move[worst], lowest[worst], highest[worst]);
-  }
-  if (!solution.move.allFinite()) solution.move.setZero();
-  solution.loss = products.loss + 2.0 * products.right.dot(solution.move) +
-                  solution.move.dot(products.power * solution.move);
-  return solution;
-}
 
 class Screen {
  public:
@@ -128,41 +73,63 @@ class Screen {
   }
 
   void try_starts(const EffectCandidate& candidate) {
-    EffectSet members = model_.members;
-    members.push_back(&candidate);
-    const auto count = static_cast<Eigen::Index>(candidate.parameters.size());
     ScreenTrial best;
     bool is_moved = false;
+    const auto take = [&](const ScreenTrial& trial) {
+      is_moved = is_moved || moves(trial);
+      const bool is_better = best.candidate == nullptr || trial.loss < best.loss;
+      if (trial.candidate != nullptr && is_better) best = trial;
+    };
     for (const std::vector<double>& start : candidate.starts) {
-      ScreenTrial trial;
-      trial.candidate = &candidate;
-      trial.start = start;
-      const Eigen::VectorXd at = coordinates_with(start);
-      const Eigen::VectorXd here = fitter_.residual(members, at);
-      trial.offset = training_.asDiagonal() * (here - model_.residual);
-      trial.slopes.resize(here.size(), count);
-      for (Eigen::Index k = 0; k < count; ++k) {
-        const FitParameter& parameter = candidate.parameters[static_cast<std::size_t>(k)];
-        const Eigen::Index place = model_.coordinates.size() + k;
-        double step = 1e-4 * parameter.size;
-        if (at[place] + step > parameter.highest) step = -step;
-        Eigen::VectorXd moved = at;
-        moved[place] += step;
-        trial.slopes.col(k) =
-            training_.asDiagonal() * ((fitter_.residual(members, moved) - here) / step);
-        const double change = parameter.size * trial.slopes.col(k).norm();
-        is_moved = is_moved || change > least_change();
-      }
-      is_moved = is_moved || trial.offset.norm() > least_change();
-      if (!trial.offset.allFinite() || !trial.slopes.allFinite()) continue;
-      evaluate(trial);
-      if (best.candidate == nullptr || trial.loss < best.loss) best = std::move(trial);
+      const ScreenTrial trial = tried(candidate, start);
+      take(trial);
+      // A law that takes the place of another starts from nothing, where meshes may drive that are
+      // driven beside it: the estimate is made once more from where it leads.
+      const bool is_far = trial.candidate != nullptr && trial.offset.norm() > least_change();
+      if (is_far) take(tried(candidate, moved_start(trial, trial.move)));
     }
     if (!is_moved || best.candidate == nullptr) {
       result_.silent.push_back(&candidate);
     } else {
       best_.push_back(std::move(best));
     }
+  }
+
+  /// Without a candidate where it is no number.
+  ScreenTrial tried(const EffectCandidate& candidate, const std::vector<double>& start) const {
+    EffectSet members = model_.members;
+    members.push_back(&candidate);
+    const auto count = static_cast<Eigen::Index>(candidate.parameters.size());
+    ScreenTrial trial;
+    trial.start = start;
+    const Eigen::VectorXd at = coordinates_with(start);
+    const Eigen::VectorXd here = fitter_.residual(members, at);
+    trial.offset = training_.asDiagonal() * (here - model_.residual);
+    trial.slopes.resize(here.size(), count);
+    trial.sizes.resize(count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const FitParameter& parameter = candidate.parameters[static_cast<std::size_t>(k)];
+      const Eigen::Index place = model_.coordinates.size() + k;
+      double step = 1e-4 * parameter.size;
+      if (at[place] + step > parameter.highest) step = -step;
+      Eigen::VectorXd moved = at;
+      moved[place] += step;
+      trial.slopes.col(k) =
+          training_.asDiagonal() * ((fitter_.residual(members, moved) - here) / step);
+      trial.sizes[k] = parameter.size;
+    }
+    if (!trial.offset.allFinite() || !trial.slopes.allFinite()) return trial;
+    trial.candidate = &candidate;
+    evaluate(trial);
+    return trial;
+  }
+
+  /// Whether it changes the prediction, or a sensible size of one of its parameters does.
+  bool moves(const ScreenTrial& trial) const {
+    return trial.offset.norm() > least_change() ||
+           (trial.slopes.colwise().norm().transpose().cwiseProduct(trial.sizes).array() >
+            least_change())
+               .any();
   }
 
   double least_change() const { return least_change_rms_ * std::sqrt(training_.sum()); }
@@ -193,9 +160,24 @@ class Screen {
         highest[at] = trial->candidate->parameters[index].highest - trial->start[index];
       }
     }
-    return solve(
-        {columns.transpose() * columns, columns.transpose() * residual, residual.squaredNorm()},
-        lowest, highest);
+    const Eigen::MatrixXd power = columns.transpose() * columns;
+    const Eigen::VectorXd right = columns.transpose() * residual;
+    Solution solution{optimization::least_squares_in_box(power, right, lowest, highest), 0.0};
+    solution.loss = residual.squaredNorm() + 2.0 * right.dot(solution.move) +
+                    solution.move.dot(power * solution.move);
+    return solution;
+  }
+
+  static std::vector<double> moved_start(const ScreenTrial& trial, const Eigen::VectorXd& move) {
+    std::vector<double> moved;
+    for (std::size_t k = 0; k < trial.start.size(); ++k) {
+      const FitParameter& parameter = trial.candidate->parameters[k];
+      // Along a logarithm the linear model does not reach far.
+      const double most = parameter.is_scale ? 1.0 : 1e300;
+      const double by = std::clamp(move[static_cast<Eigen::Index>(k)], -most, most);
+      moved.push_back(std::clamp(trial.start[k] + by, parameter.lowest, parameter.highest));
+    }
+    return moved;
   }
 
   Eigen::VectorXd start_of(const std::vector<const ScreenTrial*>& trials,
@@ -203,13 +185,8 @@ class Screen {
     std::vector<double> all(model_.coordinates.data(),
                             model_.coordinates.data() + model_.coordinates.size());
     for (std::size_t t = 0; t < trials.size(); ++t) {
-      for (std::size_t k = 0; k < trials[t]->start.size(); ++k) {
-        const FitParameter& parameter = trials[t]->candidate->parameters[k];
-        // Along a logarithm the linear model does not reach far.
-        const double most = parameter.is_scale ? 1.0 : 1e300;
-        const double move = std::clamp(moves[t][static_cast<Eigen::Index>(k)], -most, most);
-        all.push_back(std::clamp(trials[t]->start[k] + move, parameter.lowest, parameter.highest));
-      }
+      const std::vector<double> start = moved_start(*trials[t], moves[t]);
+      all.insert(all.end(), start.begin(), start.end());
     }
     return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
   }

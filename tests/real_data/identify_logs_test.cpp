@@ -10,6 +10,7 @@
 
 #include "identification/answer/identify.hpp"
 #include "io/documents/document.hpp"
+#include "tests/long_run.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -113,6 +114,7 @@ TEST_F(RealLogs, BareMotorsCoggingHasTheHarmonicsFoundByHand) {
 }
 
 TEST_F(RealLogs, BareMotorsCoggingAtEvenSpeedHasAllHarmonicsOfTheBand) {
+  if (!test::is_long_run()) GTEST_SKIP() << test::kLeftOut;
   const Identification found = identified("odrive_cogging.json", "odrive_actuator.json",
                                           {"odrive_cogging/slow_velocity_comp.csv"});
   const EquationResult* current = equation(found, "motor_current_A");
@@ -165,6 +167,7 @@ TEST_F(RealLogs, CycloidalDrivesSensorIsLateAndItsVelocityIsOff) {
 }
 
 TEST_F(RealLogs, SecondCycloidalLogFallsBelowItsGoal) {
+  if (!test::is_long_run()) GTEST_SKIP() << test::kLeftOut;
   expect_late_sensor_and_load_friction(identified("romela_cycloidal.json", "romela_actuator.json",
                                                   {"romela_cycloidal/torqueripple3.csv"}),
                                        1.63);

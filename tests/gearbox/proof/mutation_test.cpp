@@ -11,6 +11,7 @@
 #include "gearbox/proof/result/certificate.hpp"
 #include "tests/gearbox/proof/another_proof.hpp"
 #include "tests/gearbox/proof/naive_result.hpp"
+#include "tests/long_run.hpp"
 
 namespace torquewright::gearbox::proof_test {
 namespace {
@@ -87,12 +88,18 @@ std::vector<std::string> words(const Problem& problem) {
   return all;
 }
 
+/// One in so many changes of nodes is made, which are alike by the hundred: with a stride of 3 the
+/// five ways to change a number are each taken in turn.
+int stride_in_tree() { return test::is_long_run() ? 1 : 3; }
+
 /// The changes that make other proofs are a tenth at most, or the oracle excuses too much.
 void expect_refusals(const Problem& problem, Json result) {
   ASSERT_TRUE(proof::check_certificate(problem, result).accepted);
   const Json before = result;
-  int changes = 0, refused = 0, other_proofs = 0, unexcused = 0;
+  int changes = 0, refused = 0, other_proofs = 0, unexcused = 0, in_tree = 0;
   for_each_mutation(result, words(problem), [&](const Mutation& mutation) {
+    const bool is_of_tree = mutation.pointer.find("/nodes/") != std::string::npos;
+    if (is_of_tree && in_tree++ % stride_in_tree() != 0) return;
     ++changes;
     if (!proof::check_certificate(problem, result).accepted) {
       ++refused;

@@ -245,7 +245,8 @@ TEST(Contacts, WhoseForcesCarryAnotherWeightAreRefused) {
       motion.has_forces = true;
       motion.forces_N.setZero(3 * contacts, motion.samples());
       const double each_N = weights * weight_N / static_cast<double>(contacts);
-      for (Index row = 2; row < 3 * contacts; row += 3) motion.forces_N.row(row).setConstant(each_N);
+      for (Index row = 2; row < 3 * contacts; row += 3)
+        motion.forces_N.row(row).setConstant(each_N);
     });
   };
   EXPECT_EQ(carrying(1.0), "");

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/selection/wave_share.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace torquewright::identification {
+namespace {
+
+/// Of a wave's rms: below it nine tenths of the amplitude rest on what the band's filter and the
+/// other members are said to do, which no law knows that exactly.
+constexpr double kLeastSeen = 0.1;
+
+double rms(const Eigen::VectorXd& values) {
+  return std::sqrt(values.squaredNorm() /
+                   static_cast<double>(std::max<Eigen::Index>(1, values.size())));
+}
+
+double rms_of_waves(const FoundParameters& parameters) {
+  double squares = 0.0;
+  for (const FoundWave& each : parameters.waves) squares += 0.5 * std::pow(each.amplitude.value, 2);
+  return std::sqrt(squares);
+}
+
+}  // namespace
+
+void doubt_waves_hardly_seen(const ModelFitter& fitter, const ModelFit& fit,
+                             EquationResult& result) {
+  for (NamedEffect& each : result.added) {
+    const double all = rms_of_waves(each.parameters);
+    if (all == 0.0 || each.parameters.proportional.value_or(false) || !each.doubt.empty()) continue;
+    const PartOfModel others = part_of(fit, [&](const EffectCandidate& member) {
+      return member.effect != each.effect || member.order == 0.0;
+    });
+    const ModelFit without = fitter.fit(others.members, others.coordinates);
+    const double seen = rms(without.residual - fit.residual);
+    if (seen >= kLeastSeen * all) continue;
+    each.doubt = fmt::format(
+        "of its waves' {:.3g} Nm rms the log shows {:.3g}: they pass too fast for the band, or "
+        "what "
+        "else is fitted takes the rest; a slower turn would tell",
+        all, seen);
+  }
+}
+
+}  // namespace torquewright::identification
