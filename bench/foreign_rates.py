@@ -61,7 +61,8 @@ def judge(truth, report):
     exact = [g["effects"] for g in report["confounded"] if g["exact"]]
     grouped = {name for group in groups for name in group}
     one_of_several = grouped | {name for group in exact for name in group}
-    certain = [name for name in added if name not in grouped]
+    doubted = {each["effect"] for each in report["effects_added"] if each.get("doubt")}
+    certain = [name for name in added if name not in grouped | doubted]
     for group in exact:  # what no log of such a rig can tell
         if allowed & set(group):
             allowed |= set(group)
