@@ -12,10 +12,16 @@ namespace {
 /// Of a wave's rms: below it nine tenths of the amplitude rest on what the band's filter and the
 /// other members are said to do, which no law knows that exactly.
 constexpr double kLeastSeen = 0.1;
+/// Standard errors: an amplitude within them could be none in one run of twenty.
+constexpr double kLeastErrors = 2.0;
 
-double rms(const Eigen::VectorXd& values) {
+double rms_of_rows(const Eigen::VectorXd& values) {
   return std::sqrt(values.squaredNorm() /
                    static_cast<double>(std::max<Eigen::Index>(1, values.size())));
+}
+
+bool is_known(const FoundWave& wave) {
+  return wave.amplitude.value > kLeastErrors * wave.amplitude.standard_error;
 }
 
 double rms_of_waves(const FoundParameters& parameters) {
@@ -29,18 +35,26 @@ double rms_of_waves(const FoundParameters& parameters) {
 void doubt_waves_hardly_seen(const ModelFitter& fitter, const ModelFit& fit,
                              EquationResult& result) {
   for (NamedEffect& each : result.added) {
+    const std::vector<FoundWave>& waves = each.parameters.waves;
+    if (waves.empty() || !each.doubt.empty()) continue;
+    if (std::none_of(waves.begin(), waves.end(), is_known)) {
+      each.doubt = fmt::format(
+          "of no wave is the amplitude larger than {:g} of its standard errors: parts of the log "
+          "disagree on it",
+          kLeastErrors);
+      continue;
+    }
     const double all = rms_of_waves(each.parameters);
-    if (all == 0.0 || each.parameters.proportional.value_or(false) || !each.doubt.empty()) continue;
+    if (all == 0.0 || each.parameters.proportional.value_or(false)) continue;
     const PartOfModel others = part_of(fit, [&](const EffectCandidate& member) {
       return member.effect != each.effect || member.order == 0.0;
     });
     const ModelFit without = fitter.fit(others.members, others.coordinates);
-    const double seen = rms(without.residual - fit.residual);
+    const double seen = rms_of_rows(without.residual - fit.residual);
     if (seen >= kLeastSeen * all) continue;
     each.doubt = fmt::format(
         "of its waves' {:.3g} Nm rms the log shows {:.3g}: they pass too fast for the band, or "
-        "what "
-        "else is fitted takes the rest; a slower turn would tell",
+        "what else is fitted takes the rest; a slower turn would tell",
         all, seen);
   }
 }

@@ -63,5 +63,15 @@ TEST(SampledLogs, WavesThatHardlyShowAreNotCertain) {
   EXPECT_EQ(certain, (std::set<std::string>{"gravity_imbalance", "load_dependent_friction"}));
 }
 
+// Asked for no more than these, the same log has a ripple of 0.018 +- 0.013 of the load.
+TEST(SampledLogs, WavesWithinTheirErrorsAreNotCertain) {
+  const Identification found = identified(
+      5012, {"gravity_imbalance", "load_dependent_friction", "cogging_torque", "gear_ripple"});
+  for (const NamedEffect& each : found.equations.front().added) {
+    EXPECT_EQ(is_certain(found.equations.front(), each.effect), each.parameters.waves.empty())
+        << each.effect;
+  }
+}
+
 }  // namespace
 }  // namespace torquewright::rates
