@@ -187,9 +187,42 @@ std::string friction_text(const Subject& subject) {
                      kSmoothing * subject.region.greatest_speed_rad_s());
 }
 
+/// A winding's line in the place of the grid, where it is exact.
+std::string line_text(const std::optional<WindingLine>& line) {
+  if (!line) return "None";
+  return fmt::format(R"({{
+        "torque_Nm_V": {},
+        "V_s_rad": {},
+        "greatest_Nm": {},
+        "per_K": {},
+        "at_K": {},
+    }})",
+                     line->torque_Nm_V, line->V_s_rad, line->greatest_Nm, line->per_K, line->at_K);
+}
+
+/// What the module says of its arithmetic; the figures are those that
+/// tests/actuator/exporters/training_module_test.cpp holds it to.
+std::vector<std::string> arithmetic_lines(const ExportedConditions& conditions) {
+  std::vector<std::string> lines{
+      "Arithmetic: against the table in double precision within 1e-11 of the peak torque, in "
+      "single "
+      "within 1e-6, half precision is computed in single."};
+  if (conditions.line) {
+    lines.emplace_back(
+        "Voltage and temperature move one line of the winding here: computed by its law, without "
+        "the grid's error.");
+  } else if (conditions.grid) {
+    lines.emplace_back(
+        "Over voltage and temperature single precision is within 1e-6 of the peak torque too, but "
+        "beside an upright end of the region, which its last digit moves: 1e-4.");
+  }
+  return lines;
+}
+
 /// REGION and the functions that the module has of it.
 std::string instance_text(const Subject& subject, std::span<const double> shape,
-                          const std::optional<RegionGrid>& grid, bool composes) {
+                          const ExportedConditions& conditions, bool composes) {
+  const std::optional<RegionGrid>& grid = conditions.grid;
   const std::size_t rows = shape.size() / 3;
   const TorqueLimits rest = table_law(shape, 0.0);
   const auto needed = points_needed(shape, kOnLine * subject.table.peak_torque_Nm);
@@ -216,16 +249,17 @@ REGION = Region(
         "rest_Nm": [{8}, {9}],
     }},
     grid={10},
+    line={11},
 )
-{11}
+{12}
 clip = REGION.clip
 limits = REGION.limits
-{12})",
+{13})",
                      identifier(subject.actuator.name), greatest_torque_Nm(subject, grid),
                      armature_text(subject.armature_kg_m2()), subject.bus_voltage_V(),
                      winding_temperature_K(subject.actuator, subject.conditions), block(0),
                      block(1), block(2), rest.least_Nm, rest.greatest_Nm, grid_text(grid),
-                     composes ? friction_text(subject) : "",
+                     line_text(conditions.line), composes ? friction_text(subject) : "",
                      composes ? "torque = REGION.torque\n" : "");
 }
 
@@ -233,10 +267,11 @@ limits = REGION.limits
 
 std::string python_module(const Subject& subject, std::span<const double> shape,
                           const std::vector<std::string>& note, const PythonParts& parts) {
-  const std::optional<RegionGrid> grid = exported_grid(subject);
+  const ExportedConditions conditions = exported_conditions(subject);
   const bool composes = parts.composes_friction && subject.friction.has_value();
-  return line_comment(note, "# ") + line_comment(grid_lines(grid), "# ") + python_source(composes) +
-         parts.methods + instance_text(subject, shape, grid, composes) + parts.functions;
+  return line_comment(note, "# ") + line_comment(grid_lines(conditions.grid), "# ") +
+         line_comment(arithmetic_lines(conditions), "# ") + python_source(composes) +
+         parts.methods + instance_text(subject, shape, conditions, composes) + parts.functions;
 }
 
 }  // namespace torquewright::actuator
