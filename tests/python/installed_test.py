@@ -32,7 +32,7 @@ class Installed(unittest.TestCase):
                 sources = program.ROOT / "python/torquewright"
                 for source in sources.glob("*.py"):
                     self.assertEqual((folder / source.name).read_text(), source.read_text())
-                self.assertEqual(len(names), len(list(sources.glob("*.py"))) + 2)
+                self.assertEqual(len(names), len(list(sources.glob("*.py"))) + 3)
             words = "import torquewright; print(torquewright.__file__, torquewright.__version__)"
             done = subprocess.run(
                 [sys.executable, "-B", "-c", words], capture_output=True, text=True, check=False,
