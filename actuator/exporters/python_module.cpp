@@ -8,6 +8,7 @@
 #include "actuator/exporters/region_text.hpp"
 #include "actuator/exporters/table_law.hpp"
 #include "actuator/exporters/text.hpp"
+#include "actuator/heat/temperature_laws.hpp"
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/source_text/python_source.hpp"
 
@@ -187,6 +188,46 @@ std::string friction_text(const Subject& subject) {
                      kSmoothing * subject.region.greatest_speed_rad_s());
 }
 
+/// What step() carries along: losses of the winding, what they warm, and the supply. A curve has no
+/// winding.
+std::string supply_text(const Subject& subject) {
+  const Actuator& drive = *subject.whole;
+  if (drive.envelope) return "";
+  const double at_K = winding_temperature_K(drive, subject.conditions);
+  const Instant at = at_winding_temperature(drive, at_K);
+  const double ampere =
+      1.0 / (std::abs(subject.ratio()) * drive.motor.torque_constant_Nm_A * flux_factor(drive, at));
+  const double amplitude_A =
+      ampere * phase_amperes_per_ampere(drive.motor.torque_constant_convention);
+  const double ohm = phase_resistance_ohm(drive, at_K);
+  constexpr double kSpan_K = 100.0;  // the resistance is linear in the temperature
+  const double per_K = (phase_resistance_ohm(drive, at_K + kSpan_K) / ohm - 1.0) / kSpan_K;
+  std::string thermal = "None";
+  if (drive.thermal) {
+    thermal = fmt::format(
+        R"({{
+        "winding_to_case_K_W": {},
+        "case_to_ambient_K_W": {},
+        "winding_J_K": {},
+        "case_J_K": {},
+        "ambient_K": {},
+    }})",
+        drive.thermal->winding_to_case_K_W, drive.thermal->case_to_ambient_K_W,
+        drive.thermal->winding_J_K, drive.thermal->case_J_K, drive.thermal->ambient_K);
+  }
+  return fmt::format(R"(REGION.add_supply(
+    loss_W_Nm2={},
+    per_K={},
+    at_K={},
+    open_circuit_V={},
+    resistance_ohm={},
+    thermal={},
+)
+)",
+                     winding_loss_W(drive, amplitude_A, at), per_K, at_K, subject.bus_voltage_V(),
+                     phase_model_at(drive, subject.conditions).supply.resistance_ohm, thermal);
+}
+
 /// A winding's line in the place of the grid, where it is exact.
 std::string line_text(const std::optional<WindingLine>& line) {
   if (!line) return "None";
@@ -259,7 +300,8 @@ limits = REGION.limits
                      armature_text(subject.armature_kg_m2()), subject.bus_voltage_V(),
                      winding_temperature_K(subject.actuator, subject.conditions), block(0),
                      block(1), block(2), rest.least_Nm, rest.greatest_Nm, grid_text(grid),
-                     line_text(conditions.line), composes ? friction_text(subject) : "",
+                     line_text(conditions.line),
+                     composes ? friction_text(subject) + supply_text(subject) : "",
                      composes ? "torque = REGION.torque\n" : "");
 }
 

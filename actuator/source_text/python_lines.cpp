@@ -7,6 +7,7 @@ namespace torquewright::actuator {
 namespace {
 
 constexpr std::string_view kText = R"(
+import collections
 import sys
 import warnings
 

@@ -23,6 +23,7 @@ class Region:
         self.grid = grid
         self.line = line
         self.drag = None
+        self.supply = None
         self._on = {}
         self._warp = {}
         self._is_flagged = False
@@ -184,6 +185,57 @@ constexpr std::string_view kFriction = R"(
         return self._answer(on, kind, on.torque(*given))
 )";
 
+/// Heat and the shared supply as states that are carried along.
+constexpr std::string_view kSupply = R"(
+    def add_supply(self, loss_W_Nm2, per_K, at_K, open_circuit_V, resistance_ohm, thermal):
+        """What a drive loses at 1 Nm when its winding is at_K warm, and what heats and feeds it."""
+        self.supply = {
+            "loss_W_Nm2": loss_W_Nm2,
+            "per_K": per_K,
+            "at_K": at_K,
+            "open_circuit_V": open_circuit_V,
+            "resistance_ohm": resistance_ohm,
+            "thermal": thermal,
+        }
+
+    def state(self, like, winding_K=None):
+        """State for step(): windings and cases at a temperature (the document's ambient, or that of
+        the file), no current in the supply."""
+        thermal = self.supply["thermal"]
+        start = thermal["ambient_K"] if thermal else self.temperature_K
+        return DriveState(
+            0.0 * like + (start if winding_K is None else winding_K), 0.0 * like + start, 0.0 * like
+        )
+
+    def step(self, torque, velocity, state, dt):
+        """One step of dt [s]: what reaches the joint, and the state after it.
+
+        Each drive is clipped at the temperature of its own winding and at the voltage that the
+        others of its robot (those of the last axis) leave it: the supply they share sags by its
+        resistance times their current of the step before. Copper losses heat winding and case by
+        the midpoint rule. Batched and, but for the two roots' ends, with slopes.
+        """
+        xp = _namespace(velocity)
+        supply, thermal = self.supply, self.supply["thermal"]
+        ohm, volts = supply["resistance_ohm"], supply["open_circuit_V"]
+        others_A = xp.sum(state.current_A, axis=-1)[..., None] - state.current_A
+        on = self.beside(velocity)
+        within = on.clip(torque, velocity, volts - ohm * others_A, state.winding_K)
+        warmer = state.winding_K - supply["at_K"]
+        loss_W = supply["loss_W_Nm2"] * within * within * (1.0 + supply["per_K"] * warmer)
+        power_W = within * velocity + loss_W
+        current_A = power_W / volts
+        if ohm > 0.0:  # volts i - ohm i^2 = power, at most what the supply can give
+            inside = on.tools.at_least(volts * volts - 4.0 * ohm * power_W, 1e-6 * volts * volts)
+            current_A = 0.5 * (volts - xp.sqrt(inside)) / ohm
+        if thermal is None:
+            warmed = state.winding_K, state.case_K
+        else:
+            warmed = _warmed(thermal, state.winding_K, state.case_K, loss_W, dt)
+        reached = within if on.drag is None else on.drag.through(within, velocity)
+        return reached, DriveState(*warmed, current_A)
+)";
+
 }  // namespace
 
 std::string python_source(bool has_friction) {
@@ -192,7 +244,7 @@ std::string python_source(bool has_friction) {
                                       python_conditions(), std::string_view(kRegion)}) {
     text += part;
   }
-  return has_friction ? text + std::string(kFriction) : text;
+  return has_friction ? text + std::string(kFriction) + std::string(kSupply) : text;
 }
 
 }  // namespace torquewright::actuator

@@ -77,6 +77,8 @@ class RegionOn:
             for of in (torque, velocity, voltage, temperature)
         ]
         answers = out.reshape(-1)
+        if voltage is not None or temperature is not None:
+            piece //= 8  # a sample takes more numbers
         for i in range(0, velocity.size, piece):
             part = slice(i, i + piece)
             one = [of[part] if hasattr(of, "shape") else of for of in parts]
@@ -206,6 +208,22 @@ def _straight(points, values, is_single):
         values[i] + slope * (anchor - points[i]),
         slope,
     )
+
+
+DriveState = collections.namedtuple("DriveState", "winding_K case_K current_A")
+
+
+def _warmed(thermal, winding_K, case_K, loss_W, dt):
+    """Winding and case after a step that is short beside their time constants."""
+
+    def rates(winding, case):
+        inner_W = (winding - case) / thermal["winding_to_case_K_W"]
+        outer_W = (case - thermal["ambient_K"]) / thermal["case_to_ambient_K_W"]
+        return (loss_W - inner_W) / thermal["winding_J_K"], (inner_W - outer_W) / thermal["case_J_K"]
+
+    first = rates(winding_K, case_K)
+    middle = rates(winding_K + 0.5 * dt * first[0], case_K + 0.5 * dt * first[1])
+    return winding_K + dt * middle[0], case_K + dt * middle[1]
 )";
 
 }  // namespace

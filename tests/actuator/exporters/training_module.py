@@ -218,11 +218,46 @@ def like_cupy(knee):
     return [knee.clip(made(1000.0), made(9.0)).tolist() for _ in range(2)][1]
 
 
+def stepped(region):
+    """Two drives of one robot, held at 100 Nm for 10 s; then how the winding follows the torque."""
+    speed, torque = numpy.zeros((1, 2)), numpy.full((1, 2), 100.0)
+    state = region.state(speed)
+    for _ in range(2000):
+        reached, state = region.step(torque, speed, state, 0.005)
+    facts = {
+        "reached_Nm": reached.tolist()[0],
+        "winding_K": state.winding_K.tolist()[0],
+        "case_K": state.case_K.tolist()[0],
+        "current_A": state.current_A.tolist()[0],
+    }
+    # Fast and at full torque, beside a drive that draws and beside one that does not.
+    fast = numpy.asarray([[9.0, 0.0]])
+    for name, other in (("alone_Nm", 0.0), ("beside_Nm", 320.0)):
+        state = region.state(fast)
+        for _ in range(2):
+            reached, state = region.step(numpy.asarray([[1e3, other]]), fast, state, 1e-6)
+        facts[name] = reached.tolist()[0][0]
+    if torch is None:
+        return facts
+    given = torch.full((1, 2), 100.0, dtype=torch.float64, requires_grad=True)
+    rest = torch.zeros((1, 2), dtype=torch.float64)
+
+    def after(torque):
+        return region.step(torque, rest, region.state(rest), 0.1)[1].winding_K.sum()
+
+    after(given).backward()
+    with torch.no_grad():
+        difference = (after(given + 1e-3) - after(given - 1e-3)) / 2e-3
+    facts["slopes"] = [given.grad.sum().item(), difference.item()]
+    return facts
+
+
 facts = {"laws": {}}
 for file in sorted(folder.glob("*.json")):
     region = loaded(file.with_suffix(".py")).REGION
     facts["laws"][file.stem] = off_its_law(region, json.loads(file.read_text()))
 knee = loaded(folder / "knee.py").REGION
+facts["stepped"] = stepped(loaded(folder / "heated.py").REGION)
 facts["start"] = start_of_isaac_lab()
 facts["numbers"] = numbers(knee)
 facts["cupy"] = like_cupy(knee)

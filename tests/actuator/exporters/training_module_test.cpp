@@ -15,6 +15,8 @@
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/simulator_file.hpp"
 #include "actuator/exporters/table_law.hpp"
+#include "actuator/heat/heat_model.hpp"
+#include "actuator/heat/temperature_laws.hpp"
 #include "actuator/motor/actuator_spec.hpp"
 #include "tests/actuator/exporters/command_output.hpp"
 #include "tests/actuator/exporters/example_actuators.hpp"
@@ -108,6 +110,19 @@ std::vector<std::filesystem::path> example_files() {
   return files;
 }
 
+/// The knee with a winding that warms and a battery of 67.2 V and 0.2 ohm.
+Actuator heated_drive() {
+  Actuator actuator = knee();
+  actuator.name = "heated drive";
+  actuator.thermal = Thermal{0.8, 1.5, 60.0, 400.0, 420.0, 298.15};
+  Battery battery;
+  battery.series_cells = 16.0;
+  battery.cell_open_circuit = {{1.0, 4.2}};
+  battery.cell_resistance_ohm = 0.0125;
+  actuator.battery = battery;
+  return actuator;
+}
+
 struct Said {
   json facts;
   std::vector<std::string> lines;  ///< The actuators that are one line of their winding.
@@ -127,6 +142,9 @@ const Said& said() {
     folder.write(
         "knee.py",
         simulator_file(example.subject(LawFit::kBest), exporters::python, {"origin"}).text);
+    const ExportedDrive heated(heated_drive(), exporters::python,
+                               {.fit = LawFit::kBest, .friction = FrictionPlace::kJoint});
+    folder.write("heated.py", simulator_file(heated.subject(), exporters::python, {"origin"}).text);
     int status = 0;
     const std::string text =
         test::output_of(TORQUEWRIGHT_ARRAY_PYTHON " " TORQUEWRIGHT_SOURCE_DIR
@@ -185,6 +203,33 @@ TEST_F(TrainingModule, IsTracedWholeAndOfFewOperations) {
     EXPECT_LE(law.at("launches").at("there"), is_table ? 60 : 24) << name;
     EXPECT_GE(law.at("launches").at("clip"), 5) << name;
   }
+}
+
+// Oracle: the two-node model solved exactly (HeatModel::step). step() holds the loss over a step of
+// 5 ms, in whose middle the winding is warmer by 2.5 ms of 1 K/s: 0.0039/K of that is 1e-5 of it.
+// The current by hand: 67.2 i - 0.2 i^2 is the loss, of 1.5 R i^2 of a phase.
+TEST_F(TrainingModule, CarriesHeatAndTheSharedSupplyAlong) {
+  const json& stepped = said().facts.at("stepped");
+  const Actuator drive = heated_drive();
+  const double amplitude_A = 100.0 / (20.0 * 0.32) * 2.0 / std::sqrt(3.0);
+  const Warmth rise = HeatModel(drive).step(amplitude_A * amplitude_A, 10.0).after({0.0, 0.0});
+  for (const std::size_t joint : {0U, 1U}) {
+    EXPECT_EQ(stepped.at("reached_Nm")[joint], 100.0);
+    EXPECT_NEAR(stepped.at("winding_K")[joint].get<double>() - 298.15, rise[0], 2e-5 * rise[0]);
+    EXPECT_NEAR(stepped.at("case_K")[joint].get<double>() - 298.15, rise[1], 1e-4 * rise[1]);
+    const double current_A = stepped.at("current_A")[joint];
+    const double winding_K = stepped.at("winding_K")[joint];
+    const double loss_W =
+        winding_loss_W(drive, amplitude_A, at_winding_temperature(drive, winding_K));
+    EXPECT_NEAR(67.2 * current_A - 0.2 * current_A * current_A, loss_W, 1e-3 * loss_W);
+  }
+  EXPECT_GE(rise[0], 5.0);
+  // What another drive draws is missing at speed.
+  EXPECT_LT(stepped.at("beside_Nm").get<double>(), stepped.at("alone_Nm").get<double>() - 5.0);
+  if (!stepped.contains("slopes")) return;
+  const double slope = stepped.at("slopes")[1];
+  EXPECT_NEAR(stepped.at("slopes")[0].get<double>(), slope, 1e-6 * std::abs(slope));
+  EXPECT_GT(slope, 0.0);
 }
 
 TEST_F(TrainingModule, StartsInIsaacLab) {
