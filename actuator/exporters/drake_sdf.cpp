@@ -76,6 +76,7 @@ const Exporter drake_sdf = {
     .shape = shape,
     .law = law,
     .write = write,
+    .inertia_at_rotor = true,
 };
 
 }  // namespace torquewright::actuator::exporters

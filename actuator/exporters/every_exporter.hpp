@@ -10,7 +10,7 @@
           exporter(physx) exporter(newton) exporter(raisim2) exporter(raisim1) exporter(urdf)    \
               exporter(sdf) exporter(drake) exporter(drake_sdf) exporter(jaxsim)                 \
                   exporter(pybullet) exporter(isaac_gym) exporter(genesis) exporter(playground)  \
-                      exporter(python) exporter(c)
+                      exporter(python) exporter(c) exporter(isaac_lab_2_3)
 
 namespace torquewright::actuator::exporters {
 

@@ -116,6 +116,8 @@ struct Exporter {
   std::string (*write_all)(std::span<const DriveEntry> entries,
                            const std::vector<std::string>& note) = nullptr;
   FrictionFields friction = {};
+  /// The field of the armature is the rotor's inertia, which the simulator carries over the gear.
+  bool inertia_at_rotor = false;
   bool takes_postures = false;  ///< write_all has DriveEntry::postures.
 };
 

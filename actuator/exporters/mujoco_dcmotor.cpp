@@ -64,6 +64,7 @@ const Exporter mujoco_dcmotor = {
     .law = line_law,
     .write = write,
     .friction = {DryFriction::kOneValue, kFrictionLoss, ""},
+    .inertia_at_rotor = true,
 };
 
 }  // namespace torquewright::actuator::exporters

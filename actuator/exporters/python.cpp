@@ -14,10 +14,11 @@ namespace {
 std::string write(const Subject& subject, std::span<const double> shape,
                   const std::vector<std::string>& note) {
   const bool has_friction = subject.friction.has_value();
-  return python_module(subject, shape, note,
-                       {.methods = python_classes(has_friction) + python_newton(has_friction),
-                        .functions = "",
-                        .composes_friction = true});
+  return python_module(
+      subject, shape, note,
+      {.methods = python_configurations_of(has_friction) + python_newton(has_friction),
+       .functions = python_classes(has_friction),
+       .composes_friction = true});
 }
 
 }  // namespace
@@ -27,7 +28,7 @@ const Exporter python = {
     .simulator = "Python, a module for NumPy, PyTorch and JAX (Isaac Lab, mjlab)",
     .source =
         "https://data-apis.org/array-api; IsaacLab actuators/actuator_pd.py @ eafe554d; mjlab "
-        "actuator/pd_actuator.py @ 6624f2b0",
+        "actuator/actuator.py and pd_actuator.py @ 018e7ee3",
     .advice =
         "The region itself: clip(torque, velocity, voltage, temperature) of arrays. Isaac Lab: "
         "REGION.isaac_lab(joint_names_expr=[...], stiffness=..., damping=...); mjlab: "

@@ -8,6 +8,7 @@
 #include "actuator/exporters/region_text.hpp"
 #include "actuator/exporters/table_law.hpp"
 #include "actuator/exporters/text.hpp"
+#include "actuator/heat/temperature_laws.hpp"
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/source_text/python_source.hpp"
 
@@ -187,9 +188,82 @@ std::string friction_text(const Subject& subject) {
                      kSmoothing * subject.region.greatest_speed_rad_s());
 }
 
+/// What step() carries along: losses of the winding, what they warm, and the supply. A curve has no
+/// winding.
+std::string supply_text(const Subject& subject) {
+  const Actuator& drive = *subject.whole;
+  if (drive.envelope) return "";
+  const double at_K = winding_temperature_K(drive, subject.conditions);
+  const Instant at = at_winding_temperature(drive, at_K);
+  const double ampere =
+      1.0 / (std::abs(subject.ratio()) * drive.motor.torque_constant_Nm_A * flux_factor(drive, at));
+  const double amplitude_A =
+      ampere * phase_amperes_per_ampere(drive.motor.torque_constant_convention);
+  const double ohm = phase_resistance_ohm(drive, at_K);
+  constexpr double kSpan_K = 100.0;  // the resistance is linear in the temperature
+  const double per_K = (phase_resistance_ohm(drive, at_K + kSpan_K) / ohm - 1.0) / kSpan_K;
+  std::string thermal = "None";
+  if (drive.thermal) {
+    thermal = fmt::format(
+        R"({{
+        "winding_to_case_K_W": {},
+        "case_to_ambient_K_W": {},
+        "winding_J_K": {},
+        "case_J_K": {},
+        "ambient_K": {},
+    }})",
+        drive.thermal->winding_to_case_K_W, drive.thermal->case_to_ambient_K_W,
+        drive.thermal->winding_J_K, drive.thermal->case_J_K, drive.thermal->ambient_K);
+  }
+  return fmt::format(R"(REGION.add_supply(
+    loss_W_Nm2={},
+    per_K={},
+    at_K={},
+    open_circuit_V={},
+    resistance_ohm={},
+    thermal={},
+)
+)",
+                     winding_loss_W(drive, amplitude_A, at), per_K, at_K, subject.bus_voltage_V(),
+                     phase_model_at(drive, subject.conditions).supply.resistance_ohm, thermal);
+}
+
+/// A winding's line in the place of the grid, where it is exact.
+std::string line_text(const std::optional<WindingLine>& line) {
+  if (!line) return "None";
+  return fmt::format(R"({{
+        "torque_Nm_V": {},
+        "V_s_rad": {},
+        "greatest_Nm": {},
+        "per_K": {},
+        "at_K": {},
+    }})",
+                     line->torque_Nm_V, line->V_s_rad, line->greatest_Nm, line->per_K, line->at_K);
+}
+
+/// What the module says of its arithmetic; the figures are those that
+/// tests/actuator/exporters/training_module_test.cpp holds it to.
+std::vector<std::string> arithmetic_lines(const ExportedConditions& conditions) {
+  std::vector<std::string> lines{
+      "Arithmetic: against the table in double precision within 1e-11 of the peak torque, in "
+      "single "
+      "within 1e-6, half precision is computed in single."};
+  if (conditions.line) {
+    lines.emplace_back(
+        "Voltage and temperature move one line of the winding here: computed by its law, without "
+        "the grid's error.");
+  } else if (conditions.grid) {
+    lines.emplace_back(
+        "Over voltage and temperature single precision is within 1e-6 of the peak torque too, but "
+        "beside an upright end of the region, which its last digit moves: 1e-4.");
+  }
+  return lines;
+}
+
 /// REGION and the functions that the module has of it.
 std::string instance_text(const Subject& subject, std::span<const double> shape,
-                          const std::optional<RegionGrid>& grid, bool composes) {
+                          const ExportedConditions& conditions, bool composes) {
+  const std::optional<RegionGrid>& grid = conditions.grid;
   const std::size_t rows = shape.size() / 3;
   const TorqueLimits rest = table_law(shape, 0.0);
   const auto needed = points_needed(shape, kOnLine * subject.table.peak_torque_Nm);
@@ -216,16 +290,18 @@ REGION = Region(
         "rest_Nm": [{8}, {9}],
     }},
     grid={10},
+    line={11},
 )
-{11}
+{12}
 clip = REGION.clip
 limits = REGION.limits
-{12})",
+{13})",
                      identifier(subject.actuator.name), greatest_torque_Nm(subject, grid),
                      armature_text(subject.armature_kg_m2()), subject.bus_voltage_V(),
                      winding_temperature_K(subject.actuator, subject.conditions), block(0),
                      block(1), block(2), rest.least_Nm, rest.greatest_Nm, grid_text(grid),
-                     composes ? friction_text(subject) : "",
+                     line_text(conditions.line),
+                     composes ? friction_text(subject) + supply_text(subject) : "",
                      composes ? "torque = REGION.torque\n" : "");
 }
 
@@ -233,10 +309,11 @@ limits = REGION.limits
 
 std::string python_module(const Subject& subject, std::span<const double> shape,
                           const std::vector<std::string>& note, const PythonParts& parts) {
-  const std::optional<RegionGrid> grid = exported_grid(subject);
+  const ExportedConditions conditions = exported_conditions(subject);
   const bool composes = parts.composes_friction && subject.friction.has_value();
-  return line_comment(note, "# ") + line_comment(grid_lines(grid), "# ") + python_source(composes) +
-         parts.methods + instance_text(subject, shape, grid, composes) + parts.functions;
+  return line_comment(note, "# ") + line_comment(grid_lines(conditions.grid), "# ") +
+         line_comment(arithmetic_lines(conditions), "# ") + python_source(composes) +
+         parts.methods + instance_text(subject, shape, conditions, composes) + parts.functions;
 }
 
 }  // namespace torquewright::actuator

@@ -8,11 +8,13 @@
 
 namespace torquewright::actuator {
 
-std::optional<RegionGrid> exported_grid(const Subject& subject) {
-  if (subject.actuator.envelope) return std::nullopt;
+ExportedConditions exported_conditions(const Subject& subject) {
+  if (subject.actuator.envelope) return {};
   std::optional<RegionGrid> grid =
       region_grid(subject.actuator, subject.conditions, subject.region.side());
-  if (!grid || subject.fit == LawFit::kBest) return grid;
+  if (!grid) return {};
+  const std::optional<WindingLine> line = winding_line(*grid);
+  if (subject.fit == LawFit::kBest) return {grid, line};
   // Each condition by what the cells about it are off, so that within each the mixture is drawn in
   // by no less than its error.
   for (std::size_t condition = 0; condition < grid->least.torques_Nm.size(); ++condition) {
@@ -20,7 +22,11 @@ std::optional<RegionGrid> exported_grid(const Subject& subject) {
     for (double& torque_Nm : grid->least.torques_Nm[condition]) torque_Nm += error_Nm;
     for (double& torque_Nm : grid->greatest.torques_Nm[condition]) torque_Nm -= error_Nm;
   }
-  return grid;
+  return {grid, line};
+}
+
+std::optional<RegionGrid> exported_grid(const Subject& subject) {
+  return exported_conditions(subject).grid;
 }
 
 std::vector<std::string> grid_lines(const std::optional<RegionGrid>& grid) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "actuator/conditions/region_grid.hpp"
+#include "actuator/conditions/winding_line.hpp"
 #include "actuator/exporters/exporter.hpp"
 
 namespace torquewright::actuator {
@@ -13,6 +14,13 @@ namespace torquewright::actuator {
 /// The region of the subject over voltage and temperature; conservative: both bounds drawn in by
 /// the error up to RegionGrid::kBeforeEnd of the speeds. Nothing where it has a gap.
 std::optional<RegionGrid> exported_grid(const Subject& subject);
+
+/// The same, and the winding's line where the region is one, exactly: before anything is drawn in.
+struct ExportedConditions {
+  std::optional<RegionGrid> grid;
+  std::optional<WindingLine> line;
+};
+ExportedConditions exported_conditions(const Subject& subject);
 
 /// What a file says of its grid, or why it has none: a line each.
 std::vector<std::string> grid_lines(const std::optional<RegionGrid>& grid);

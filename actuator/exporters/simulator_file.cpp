@@ -9,7 +9,14 @@
 namespace torquewright::actuator {
 namespace {
 
-std::string armature_line(const Subject& subject) {
+/// Which number counts where the file's field is not the armature.
+std::string_view field_words(const Exporter& exporter) {
+  if (!exporter.inertia_at_rotor) return "";
+  return " The file's field is of the rotor, this over N^2: the simulator makes this number of it, "
+         "and where both are touched the field wins.";
+}
+
+std::string armature_line(const Subject& subject, const Exporter& exporter) {
   if (subject.armature_kg_m2() == 0.0) {
     return "Armature: left out, the document states no inertia of the rotor; find and set it.";
   }
@@ -19,9 +26,10 @@ std::string armature_line(const Subject& subject) {
   const double gears_kg_m2 = subject.actuator.transmission.inertia_kg_m2;
   return fmt::format(
       "Armature: {:.6g} kg m^2 = N^2 J, N = {:.6g}, J = {:.6g} kg m^2{}. Do not add the rotor to a "
-      "link as well.",
+      "link as well.{}",
       subject.armature_kg_m2(), subject.ratio(), subject.actuator.motor.rotor_inertia_kg_m2,
-      gears_kg_m2 > 0.0 ? fmt::format(", plus {:.6g} kg m^2 of the gears", gears_kg_m2) : "");
+      gears_kg_m2 > 0.0 ? fmt::format(", plus {:.6g} kg m^2 of the gears", gears_kg_m2) : "",
+      field_words(exporter));
 }
 
 std::string fit_line(const Exporter& exporter, const Subject& subject) {
@@ -90,7 +98,7 @@ std::vector<std::string> note_of(const Subject& subject, const Exporter& exporte
         "Braking: the document states none; here the greatest torque brakes at every speed, as "
         "simulators have it. A check takes no more than drives.");
   }
-  note.push_back(armature_line(subject));
+  note.push_back(armature_line(subject, exporter));
   const bool has_own_advice = subject.friction && !exporter.friction.advice.empty();
   note.emplace_back(has_own_advice ? exporter.friction.advice : exporter.advice);
   for (const std::string& entry : left_out_of(subject)) note.push_back("Left out: " + entry);

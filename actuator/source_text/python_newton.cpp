@@ -19,9 +19,74 @@ namespace torquewright::actuator {
 namespace {
 
 constexpr std::string_view kNewton = R"(
+    def warp_clip(self):
+        """A wp.func for kernels of one's own: clip(torque, velocity, shape, breaks, rows).
+
+        The last three are warp_tables(device): the packed tables of to(), in single precision. What
+        is no number stays none.
+        """
+        if "clip" in self._warp:
+            return self._warp["clip"]
+        import warp as wp
+
+        @wp.func
+        def clip_to_region(
+            torque: float,
+            velocity: float,
+            shape: wp.array(dtype=float),
+            breaks: wp.array(dtype=float),
+            rows: wp.array(dtype=float),
+        ):
+            place = wp.clamp(velocity, shape[2], shape[3])
+            last = int(shape[5])
+            most = int(shape[6])
+            cell = int(0)
+            if shape[7] > 0.0:
+                near = wp.max(wp.min(place - shape[0], shape[1] - place), 0.0)
+                cell = wp.min(int(wp.sqrt(wp.sqrt(near)) * shape[4]), last // 2)
+                if place > shape[8]:
+                    cell = last - cell
+            else:
+                cell = wp.clamp(int((place - shape[0]) * shape[4]), 0, last)
+            row = int(cell * (most + 1))
+            for i in range(most):
+                if place >= breaks[cell * most + i]:
+                    row += 1
+            x = place - rows[5 * row]
+            least = rows[5 * row + 1] + x * rows[5 * row + 3]
+            greatest = rows[5 * row + 2] + x * rows[5 * row + 4]
+            if velocity == 0.0:
+                least = shape[9]
+                greatest = shape[10]
+            clipped = wp.min(wp.max(torque, least), greatest)
+            if wp.isnan(torque) or wp.isnan(velocity):
+                clipped = torque + velocity
+            return clipped
+
+        self._warp["clip"] = clip_to_region
+        return clip_to_region
+
+    def warp_tables(self, device=None):
+        """What the function of warp_clip() reads, as arrays of Warp."""
+        import warp as wp
+
+        bounds = self.table["least_Nm"], self.table["greatest_Nm"]
+        lines = _Lines(self.table["speed_rad_s"], bounds, True)
+        shape = [lines.low, lines.high, lines.low - lines.beyond, lines.high + lines.beyond]
+        shape += [lines.per_width, lines.cells - 1, lines.most, lines.is_laid_along]
+        shape += [0.5 * (lines.low + lines.high), *self.table["rest_Nm"]]
+        breaks = [one for cell in lines.breaks for one in cell]
+        rows = [one for number in lines.numbers for one in lines.lines[number]]
+        return [
+            wp.array([float(one) for one in of], dtype=wp.float32, device=device)
+            for of in (shape, breaks, rows)
+        ]
+
     def _newton_kernel(self):
         """What Warp compiles: the table's clip, then friction and gear where they are known."""
         import warp as wp
+
+        clip = self.warp_clip()
 
         @wp.func
         def between(x: float, points: wp.array(dtype=float), values: wp.array(dtype=float), most: float):
@@ -43,10 +108,9 @@ constexpr std::string_view kNewton = R"(
         def clamp_to_region(
             velocities: wp.array(dtype=float),
             vel_indices: wp.array(dtype=wp.uint32),
-            speed: wp.array(dtype=float),
-            least: wp.array(dtype=float),
-            greatest: wp.array(dtype=float),
-            rest: wp.array(dtype=float),
+            shape: wp.array(dtype=float),
+            breaks: wp.array(dtype=float),
+            rows: wp.array(dtype=float),
             size: wp.array(dtype=float),
             forward: wp.array(dtype=float),
             backward: wp.array(dtype=float),
@@ -56,12 +120,7 @@ constexpr std::string_view kNewton = R"(
         ):
             i = wp.tid()
             velocity = velocities[vel_indices[i]]
-            low = between(velocity, speed, least, 1.0)
-            high = between(velocity, speed, greatest, 1.0)
-            if velocity == 0.0:
-                low = rest[0]
-                high = rest[1]
-            torque = wp.min(wp.max(src[i], low), high)
+            torque = clip(src[i], velocity, shape, breaks, rows)
             if size.shape[0] > 1:
                 way = wp.tanh(velocity / passing[3])
                 ahead = between(wp.abs(velocity), size, forward, 1.0e30)
@@ -77,16 +136,19 @@ constexpr std::string_view kNewton = R"(
     def _newton_arrays(self, device):
         import warp as wp
 
-        limit = getattr(self, "limit_Nm", None)
-        passing = [
-            getattr(self, "driving", 1.0),
-            getattr(self, "braking", 1.0),
-            3.0e38 if limit is None else limit,
-            getattr(self, "smoothing_rad_s", 1.0),
-        ]
-        lists = [self._lists[name] for name in ("speed", "least", "greatest", "rest")]
-        lists += [self._lists.get(name, [0.0]) for name in ("size", "forward", "backward")]
-        return [wp.array(of, dtype=wp.float32, device=device) for of in lists + [passing]]
+        drag = self.drag or {}
+        limit = drag.get("limit_Nm")
+        lists = [drag.get(name, [0.0]) for name in ("speed_rad_s", "forward_Nm", "backward_Nm")]
+        lists.append(
+            [
+                drag.get("driving", 1.0),
+                drag.get("braking", 1.0),
+                3.0e38 if limit is None else limit,
+                drag.get("smoothing_rad_s", 1.0),
+            ]
+        )
+        arrays = [wp.array(of, dtype=wp.float32, device=device) for of in lists]
+        return self.warp_tables(device) + arrays
 
     def newton_arguments(self):
         """The arguments of Newton's ClampingDCMotor by which this region is known."""
@@ -102,8 +164,8 @@ constexpr std::string_view kNewton = R"(
         builder.add_actuator(..., clamping=[(REGION.newton_clamping(), REGION.newton_arguments())]).
         It is the region at the voltage and temperature of its table, in single precision.
         """
-        if getattr(self, "_newton_class", None) is not None:
-            return self._newton_class
+        if "clamping" in self._warp:
+            return self._warp["clamping"]
         import warp as wp
         from newton.actuators import ClampingDCMotor
 
@@ -135,7 +197,7 @@ constexpr std::string_view kNewton = R"(
                     device=device,
                 )
 
-        self._newton_class = RegionClamping
+        self._warp["clamping"] = RegionClamping
         return RegionClamping
 
     def register_with_newton(self):

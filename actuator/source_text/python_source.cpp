@@ -1,30 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-// What it calls is in the array API standard (data-apis.org/array-api, 2024.12: asarray,
-// searchsorted, where, clip, minimum, maximum, indexing by arrays of integers) and in PyTorch 1.13
-// and NumPy 1.24 alike.
 #include "actuator/source_text/python_source.hpp"
+
+#include "actuator/source_text/python_parts.hpp"
 
 namespace torquewright::actuator {
 namespace {
 
 constexpr std::string_view kRegion = R"(
-import sys
-
-
-def _namespace(array):
-    """The array's own library. It is loaded, since its array is here: nothing is imported."""
-    if hasattr(array, "__array_namespace__"):
-        return array.__array_namespace__()
-    library = type(array).__module__.partition(".")[0]
-    if library == "builtins":
-        raise TypeError("velocity must be an array of floats, as of NumPy, PyTorch or JAX")
-    return sys.modules["jax.numpy" if library in ("jax", "jaxlib") else library]
-
 
 class Region:
     """The torques that an actuator can have, by velocity, supply voltage and temperature."""
 
-    def __init__(self, name, peak_torque_Nm, armature_kg_m2, voltage_V, temperature_K, table, grid):
+    def __init__(
+        self, name, peak_torque_Nm, armature_kg_m2, voltage_V, temperature_K, table, grid, line=None
+    ):
         self.name = name
         self.peak_torque_Nm = peak_torque_Nm
         self.armature_kg_m2 = armature_kg_m2
@@ -32,115 +21,96 @@ class Region:
         self.temperature_K = temperature_K
         self.table = table
         self.grid = grid
-        self._lists = {"rest": table["rest_Nm"]}
-        self._kept = {}
-        self._add_lines("speed", table["speed_rad_s"])
-        for bound in ("least", "greatest"):
-            self._add_values(bound, table[bound + "_Nm"])
-        if grid is None:
-            return
-        self._lists["voltages"] = grid["voltage_V"]
-        self._lists["temperatures"] = grid["temperature_K"]
-        for bound in ("least", "greatest"):
-            of = grid[bound]
-            self._add_lines(bound + " places", of["place"])
-            self._lists[bound + " corners"] = [w for row in of["corner_rad_s"] for w in row]
-            self._lists[bound + " torques"] = [t for row in of["torque_Nm"] for t in row]
+        self.line = line
+        self.drag = None
+        self.supply = None
+        self._on = {}
+        self._warp = {}
+        self._is_flagged = False
 
-    def _add_lines(self, name, points):
-        widths = [after - before for before, after in zip(points, points[1:])]
-        self._lists[name] = points
-        self._lists[name + " per width"] = [1.0 / w if w > 0.0 else 0.0 for w in widths] + [0.0]
+    def __getstate__(self):
+        return {**self.__dict__, "_on": {}, "_warp": {}}
 
-    def _add_values(self, name, values):
-        self._lists[name] = values
-        changes = [after - before for before, after in zip(values, values[1:])]
-        self._lists[name + " change"] = changes + [0.0]
+    def to(self, device=None, dtype=None, library=None):
+        """The region with its constants made, once, as arrays of a device and type: a RegionOn.
 
-    def _constant(self, xp, name, like):
-        """A list as an array beside `like`; kept, but for JAX, whose traces must not meet."""
+        REGION.to("cuda", torch.float32) is what a compiler traces (torch.compile, fullgraph). The
+        library is the type's; where that does not tell, hand its module.
+        """
+        if library is None:
+            name = (getattr(dtype, "__module__", "") or type(dtype).__module__).partition(".")[0]
+            name = type(dtype).__module__.partition(".")[0] if name == "builtins" else name
+            library = sys.modules["jax.numpy" if name in ("jax", "jaxlib") else name]
+        key = library.__name__, str(dtype), str(device)
+        if key not in self._on:
+            self._on[key] = RegionOn(self, _tools_of(library, dtype, device))
+        return self._on[key]
+
+    def _beside(self, velocity, others):
+        """The region's constants beside an array, and the type of what is answered."""
+        xp = _namespace(velocity)
+        device = getattr(velocity, "device", None)
         if "jax" in xp.__name__:
-            return xp.asarray(self._lists[name], dtype=like.dtype)
-        key = (name, like.dtype, getattr(like, "device", None))
-        if key not in self._kept:
-            place = {"device": like.device} if xp.__name__ == "torch" else {}
-            self._kept[key] = xp.asarray(self._lists[name], dtype=like.dtype, **place)
-        return self._kept[key]
+            device = None  # a tracer has none
+        kind = velocity.dtype
+        for name, other in others:
+            if not hasattr(other, "dtype"):
+                continue
+            where = getattr(other, "device", None)
+            if device is not None and where is not None and str(where) != str(device):
+                raise ValueError(
+                    f"{self.name}: {name} is on {where}, velocity on {device}; move one of them"
+                )
+            if other.dtype != kind and "float" in str(other.dtype):
+                kind = xp.result_type(kind, other.dtype) if "float" in str(kind) else other.dtype
+        if "float" not in str(kind):
+            kind = xp.asarray(0.0).dtype  # numbers without a fraction count as the library's floats
+        inside = xp.float32 if "float16" in str(kind) else kind
+        return self.to(device, inside, xp), kind
 
-    def _row(self, xp, name, value):
-        """Which points lie before a value, and the share of the way to the next."""
-        ends = self._lists[name][0], self._lists[name][-1]
-        value = xp.clip(value, *ends)
-        points = self._constant(xp, name, value)
-        row = xp.clip(xp.searchsorted(points, value, side="right") - 1, 0, len(self._lists[name]) - 1)
-        per_width = self._constant(xp, name + " per width", value)
-        return row, xp.clip((value - points[row]) * per_width[row], 0.0, 1.0)
+    def _given(self, on, value):
+        """An argument in the type that is computed in; a number stays one."""
+        if not hasattr(value, "dtype") or value.dtype == on.tools.dtype:
+            return value
+        return on.tools.cast(value, on.tools.dtype)
 
-    def _cell(self, xp, name, value, like):
-        """Of an axis of the grid: numbers of the two values around one, and the share between."""
-        axis = self._constant(xp, name, like)
-        last = len(self._lists[name]) - 1
-        if last == 0:
-            return 0, 0, 0.0
-        if not hasattr(value, "shape"):
-            value = 0.0 * axis[0] + value
-        row = xp.clip(xp.searchsorted(axis, value, side="right") - 1, 0, last - 1)
-        share = (value - axis[row]) / (axis[row + 1] - axis[row])
-        return row, row + 1, xp.clip(share, 0.0, 1.0)
+    def _flag(self, on, voltage, temperature):
+        """Says once that a condition lies beyond the grid, whose edge then holds."""
+        if self._is_flagged:
+            return
+        for what, value, axis in (
+            ("voltage", voltage, "voltage_V"),
+            ("temperature", temperature, "temperature_K"),
+        ):
+            low, high = self.grid[axis][0], self.grid[axis][-1]
+            if on.tools.lies_outside(value, low, high):
+                self._is_flagged = True
+                warnings.warn(
+                    f"{self.name}: a {what} lies beyond {low:.6g} to {high:.6g}; there the nearest "
+                    "end holds; said once",
+                    stacklevel=4,
+                )
 
-    def _mixture(self, xp, voltage, temperature, like):
-        """The conditions around one, and how much of each."""
-        v0, v1, v = self._cell(xp, "voltages", voltage, like)
-        t0, t1, t = self._cell(xp, "temperatures", temperature, like)
-        columns = len(self.grid["temperature_K"])
-        mixture = [(v0 * columns + t0, (1.0 - v) * (1.0 - t))]
-        if columns > 1:
-            mixture.append((v0 * columns + t1, (1.0 - v) * t))
-        if len(self.grid["voltage_V"]) > 1:
-            mixture.append((v1 * columns + t0, v * (1.0 - t)))
-            if columns > 1:
-                mixture.append((v1 * columns + t1, v * t))
-        return mixture
+    def _prepared(self, torque, velocity, voltage, temperature):
+        others = [("torque", torque), ("voltage", voltage), ("temperature", temperature)]
+        on, kind = self._beside(velocity, others)
+        if voltage is not None or temperature is not None:
+            if self.grid is None:
+                raise ValueError(
+                    self.name + ": no grid over voltage and temperature in this file, which is of "
+                    f"{self.voltage_V} V and {self.temperature_K} K"
+                )
+            voltage = self.voltage_V if voltage is None else voltage
+            temperature = self.temperature_K if temperature is None else temperature
+            self._flag(on, voltage, temperature)
+        return on, kind, [self._given(on, of) for of in (torque, velocity, voltage, temperature)]
 
-    def _conditions(self, xp, name, count, mixture, like):
-        """A list of every condition, `count` numbers each; one mixed list, where all share it."""
-        values = self._constant(xp, name, like)
-        if any(getattr(condition, "ndim", 0) > 0 for condition, _ in mixture):
-            return values, mixture
-        rows = xp.reshape(values, (-1, count))
-        return sum(weight * rows[condition] for condition, weight in mixture), [(0, 1.0)]
+    def _answer(self, on, kind, value):
+        return value if kind == on.tools.dtype else on.tools.cast(value, kind)
 
-    def _grid_bound(self, xp, name, velocity, mixture, pick):
-        """A bound between conditions: corners and the torques at a place are mixed."""
-        count = len(self.grid[name]["corner_rad_s"][0])
-        places = len(self.grid[name]["place"])
-        corners, mixture_of_corners = self._conditions(
-            xp, name + " corners", count, mixture, velocity
-        )
-        torques, mixture = self._conditions(xp, name + " torques", places, mixture, velocity)
-
-        def mixed(values, width, i, mixture):
-            return sum(weight * values[condition * width + i] for condition, weight in mixture)
-
-        corner = [mixed(corners, count, i, mixture_of_corners) for i in range(count)]
-        one = corner[0] * 0.0 + 1.0
-        low, high, place = corner[0], corner[1], 0.0 * one
-        for i in range(1, count - 1):
-            passed = velocity >= corner[i]
-            low = xp.where(passed, corner[i], low)
-            high = xp.where(passed, corner[i + 1], high)
-            place = xp.where(passed, i * one, place)
-        has_width = high > low
-        share = (velocity - low) / xp.where(has_width, high - low, one)
-        place = place + xp.where(has_width, xp.clip(share, 0.0, 1.0), 0.0 * one)
-        row, share = self._row(xp, name + " places", place)
-        after = xp.clip(row + 1, 0, places - 1)
-        before = mixed(torques, places, row, mixture)
-        bound = before + share * (mixed(torques, places, after, mixture) - before)
-        at_rest = self.grid[name]["rest_place"]
-        from_below = mixed(torques, places, at_rest, mixture)
-        rest = pick(from_below, mixed(torques, places, at_rest + 1, mixture))
-        return xp.where(velocity == 0.0, rest, bound)
+    def beside(self, array):
+        """The region with its constants beside an array, of its type: see to()."""
+        return self._beside(array, ())[0]
 
     def limits(self, velocity, voltage=None, temperature=None):
         """Least and greatest torque [Nm] at a velocity [rad/s].
@@ -149,34 +119,25 @@ class Region:
         arrays that broadcast, it is interpolated in the grid; beyond the grid its edge holds.
         The voltage is that of the supply without load: its sag is in the region. [V], [K].
         """
-        xp = _namespace(velocity)
-        if voltage is None and temperature is None:
-            row, share = self._row(xp, "speed", velocity)
-            rest = self._constant(xp, "rest", velocity)
-            is_at_rest = velocity == 0.0
-            bounds = []
-            for i, name in enumerate(("least", "greatest")):
-                change = self._constant(xp, name + " change", velocity)
-                bound = self._constant(xp, name, velocity)[row] + share * change[row]
-                bounds.append(xp.where(is_at_rest, rest[i], bound))
-            return bounds
-        if self.grid is None:
-            raise ValueError(self.name + ": no grid over voltage and temperature in this file")
-        voltage = self.voltage_V if voltage is None else voltage
-        temperature = self.temperature_K if temperature is None else temperature
-        mixture = self._mixture(xp, voltage, temperature, velocity)
-        return [
-            self._grid_bound(xp, "least", velocity, mixture, xp.minimum),
-            self._grid_bound(xp, "greatest", velocity, mixture, xp.maximum),
-        ]
+        on, kind, (_, v, volts, kelvins) = self._prepared(None, velocity, voltage, temperature)
+        return [self._answer(on, kind, bound) for bound in on.limits(v, volts, kelvins)]
 
-    def clip(self, torque, velocity, voltage=None, temperature=None):
-        """The torque [Nm] within the limits at a velocity [rad/s]: arrays of floats, one shape."""
-        xp = _namespace(velocity)
-        least, greatest = self.limits(velocity, voltage, temperature)
-        raised = xp.where(torque < least, least, torque)
-        clipped = xp.where(raised > greatest, greatest, raised)
-        return xp.where(velocity == velocity, clipped, velocity)  # what is no number stays none
+    def clip(self, torque, velocity, voltage=None, temperature=None, out=None):
+        """The torque [Nm] within the limits at a velocity [rad/s], arrays that broadcast.
+
+        Numbers without a fraction count as floats; of two precisions the finer is answered, half
+        precision is computed in single. What is no number stays none. `out`: an array of the
+        answer's shape and type to write into (NumPy, CuPy, PyTorch).
+        """
+        on, kind, given = self._prepared(torque, velocity, voltage, temperature)
+        if out is None:
+            return self._answer(on, kind, on.clip(*given))
+        if out.dtype != kind:
+            raise ValueError(f"{self.name}: out holds {out.dtype}; the answer is of {kind}")
+        if kind == on.tools.dtype:
+            return on.clip(*given, out=out)
+        out[...] = self._answer(on, kind, on.clip(*given))
+        return out
 )";
 
 /// Between the motor and the load, where a command is the motor's. The dry part turns over with
@@ -187,32 +148,32 @@ constexpr std::string_view kFriction = R"(
         self, speed_rad_s, forward_Nm, backward_Nm, driving, braking, limit_Nm, smoothing_rad_s
     ):
         """Friction over the size of the speed, each way, and what of a torque passes the gear."""
-        self._add_lines("size", speed_rad_s)
-        self._add_values("forward", forward_Nm)
-        self._add_values("backward", backward_Nm)
-        self.driving = driving
-        self.braking = braking
-        self.limit_Nm = limit_Nm
-        self.smoothing_rad_s = smoothing_rad_s
+        self.drag = {
+            "speed_rad_s": speed_rad_s,
+            "forward_Nm": forward_Nm,
+            "backward_Nm": backward_Nm,
+            "driving": driving,
+            "braking": braking,
+            "limit_Nm": limit_Nm,
+            "smoothing_rad_s": smoothing_rad_s,
+        }
         self.joint_peak_torque_Nm = braking * (self.peak_torque_Nm + max(forward_Nm + backward_Nm))
         if limit_Nm is not None:
             self.joint_peak_torque_Nm = min(self.joint_peak_torque_Nm, limit_Nm)
 
+    @property
+    def smoothing_rad_s(self):
+        return self.drag["smoothing_rad_s"]
+
+    @smoothing_rad_s.setter
+    def smoothing_rad_s(self, value):
+        self.drag["smoothing_rad_s"] = value
+        self._on.clear()
+
     def friction(self, velocity):
         """Friction [Nm] at a velocity [rad/s], with its sign; beyond its table it goes on as a line."""
-        xp = _namespace(velocity)
-        size = xp.abs(velocity)
-        points = self._constant(xp, "size", velocity)
-        row = xp.searchsorted(points, size, side="right") - 1
-        row = xp.clip(row, 0, len(self._lists["size"]) - 2)
-        share = (size - points[row]) * self._constant(xp, "size per width", velocity)[row]
-        forward, backward = [
-            self._constant(xp, name, velocity)[row]
-            + share * self._constant(xp, name + " change", velocity)[row]
-            for name in ("forward", "backward")
-        ]
-        way = xp.tanh(velocity / self.smoothing_rad_s)
-        return 0.5 * (backward * (1.0 - way) - forward * (1.0 + way))
+        on, kind, (_, v, _, _) = self._prepared(None, velocity, None, None)
+        return self._answer(on, kind, on.friction(v))
 
     def torque(self, torque, velocity, voltage=None, temperature=None):
         """The torque [Nm] that reaches the joint for one that the motor is commanded, in Nm there.
@@ -220,21 +181,70 @@ constexpr std::string_view kFriction = R"(
         The command is clipped as the motor is; friction and the gear's losses are taken off it,
         driving and braking each by its own. Within some smoothing_rad_s of rest all that fades.
         """
+        on, kind, given = self._prepared(torque, velocity, voltage, temperature)
+        return self._answer(on, kind, on.torque(*given))
+)";
+
+/// Heat and the shared supply as states that are carried along.
+constexpr std::string_view kSupply = R"(
+    def add_supply(self, loss_W_Nm2, per_K, at_K, open_circuit_V, resistance_ohm, thermal):
+        """What a drive loses at 1 Nm when its winding is at_K warm, and what heats and feeds it."""
+        self.supply = {
+            "loss_W_Nm2": loss_W_Nm2,
+            "per_K": per_K,
+            "at_K": at_K,
+            "open_circuit_V": open_circuit_V,
+            "resistance_ohm": resistance_ohm,
+            "thermal": thermal,
+        }
+
+    def state(self, like, winding_K=None):
+        """State for step(): windings and cases at a temperature (the document's ambient, or that of
+        the file), no current in the supply."""
+        thermal = self.supply["thermal"]
+        start = thermal["ambient_K"] if thermal else self.temperature_K
+        return DriveState(
+            0.0 * like + (start if winding_K is None else winding_K), 0.0 * like + start, 0.0 * like
+        )
+
+    def step(self, torque, velocity, state, dt):
+        """One step of dt [s]: what reaches the joint, and the state after it.
+
+        Each drive is clipped at the temperature of its own winding and at the voltage that the
+        others of its robot (those of the last axis) leave it: the supply they share sags by its
+        resistance times their current of the step before. Copper losses heat winding and case by
+        the midpoint rule. Batched and, but for the two roots' ends, with slopes.
+        """
         xp = _namespace(velocity)
-        before = self.clip(torque, velocity, voltage, temperature) + self.friction(velocity)
-        way = xp.tanh(velocity / self.smoothing_rad_s)
-        mean = 0.5 * (self.driving + self.braking)
-        half = 0.5 * (self.driving - self.braking)
-        after = mean * before + half * xp.abs(before) * way
-        if self.limit_Nm is None:
-            return after
-        return xp.clip(after, -self.limit_Nm, self.limit_Nm)
+        supply, thermal = self.supply, self.supply["thermal"]
+        ohm, volts = supply["resistance_ohm"], supply["open_circuit_V"]
+        others_A = xp.sum(state.current_A, axis=-1)[..., None] - state.current_A
+        on = self.beside(velocity)
+        within = on.clip(torque, velocity, volts - ohm * others_A, state.winding_K)
+        warmer = state.winding_K - supply["at_K"]
+        loss_W = supply["loss_W_Nm2"] * within * within * (1.0 + supply["per_K"] * warmer)
+        power_W = within * velocity + loss_W
+        current_A = power_W / volts
+        if ohm > 0.0:  # volts i - ohm i^2 = power, at most what the supply can give
+            inside = on.tools.at_least(volts * volts - 4.0 * ohm * power_W, 1e-6 * volts * volts)
+            current_A = 0.5 * (volts - xp.sqrt(inside)) / ohm
+        if thermal is None:
+            warmed = state.winding_K, state.case_K
+        else:
+            warmed = _warmed(thermal, state.winding_K, state.case_K, loss_W, dt)
+        reached = within if on.drag is None else on.drag.through(within, velocity)
+        return reached, DriveState(*warmed, current_A)
 )";
 
 }  // namespace
 
 std::string python_source(bool has_friction) {
-  return std::string(kRegion) + (has_friction ? std::string(kFriction) : "");
+  std::string text;
+  for (const std::string_view part : {python_lines(), python_libraries(), python_tables(),
+                                      python_conditions(), std::string_view(kRegion)}) {
+    text += part;
+  }
+  return has_friction ? text + std::string(kFriction) + std::string(kSupply) : text;
 }
 
 }  // namespace torquewright::actuator

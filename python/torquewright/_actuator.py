@@ -3,6 +3,7 @@ from __future__ import annotations
 
 import copy
 import os
+import types
 from collections.abc import Mapping
 from typing import Any, Union
 
@@ -11,8 +12,9 @@ import numpy as np
 from . import _core
 from ._arrays import finite_numbers, numbers
 from ._documents import read
-from ._question import Question
+from ._question import Question, finite_number
 from ._refusal import refuse
+from ._results import Result
 
 #: A document as its file or as a dictionary.
 Source = Union[str, "os.PathLike[str]", Mapping[str, Any]]
@@ -54,6 +56,7 @@ class Actuator:
     def __init__(self, source: Source) -> None:
         self.source: Source = copy.deepcopy(source) if isinstance(source, Mapping) else source
         self._clips: dict[tuple[Any, ...], _core.RegionClip] = {}
+        self._modules: dict[tuple[Any, ...], Any] = {}
         if isinstance(source, Mapping):
             with Question() as question:
                 self.document = question.read("actuator", source)
@@ -77,7 +80,7 @@ class Actuator:
         winding_temperature_K: float | None = None,
         side: str = "joint",
         rating: str = "peak",
-    ) -> dict[str, Any]:
+    ) -> Result:
         """The motor operating region: which torques the actuator can have, at which speed.
 
         ``speeds_rad_s``: at these speeds, in their order; without them, at as many as linear
@@ -133,6 +136,9 @@ class Actuator:
         numbers are those of ``torquewright actuator mor --format python``: lines between the rows
         of the region's table, drawn in by what they may be off (2.5e-4 of the peak torque).
 
+        Arrays of other libraries are clipped by themselves: PyTorch in, PyTorch out, on its device
+        and of its precision, with slopes; what is no number stays none there.
+
         Returns an array of floats of that shape; a number for numbers.
 
         Raises ``Refusal`` for NaN, masked values, shapes that do not go together, and conditions
@@ -142,6 +148,9 @@ class Actuator:
         >>> knee.clip([500.0, -500.0, 10.0], 0.0)
         array([ 320., -320.,   10.])
         """
+        conditions = (bus_voltage_V, state_of_charge, winding_temperature_K, side, rating)
+        if _is_foreign(speed_rad_s):
+            return self._module_of(conditions).clip(torque_Nm, speed_rad_s)
         torques = numbers("torque_Nm", torque_Nm)
         speeds = numbers("speed_rad_s", speed_rad_s)
         if torques.shape != speeds.shape:
@@ -153,8 +162,73 @@ class Actuator:
                     f"has the shape {torques.shape}, which does not go with "
                     f"{speeds.shape} of speed_rad_s",
                 ) from None
-        conditions = (bus_voltage_V, state_of_charge, winding_temperature_K, side, rating)
         return self._clip_of(conditions).clip(torques, speeds)[()]
+
+    def need(
+        self,
+        torque_Nm: float,
+        speed_rad_s: float,
+        *,
+        bus_voltage_V: float | None = None,
+        state_of_charge: float | None = None,
+        winding_temperature_K: float | None = None,
+        rating: str = "peak",
+    ) -> Result:
+        """Whether the joint can have a torque at a speed, and if not, what would do.
+
+        ``torque_Nm``, ``speed_rad_s``: at the joint. Conditions as for ``region``.
+
+        Returns the document of kind ``mor_need``: ``reached``, ``margin_Nm``, ``limiter``,
+        ``would_be_reached_with``.
+
+        Raises ``Refusal`` for numbers out of range.
+
+        >>> torquewright.actuator("specs/actuator/d151_knee.json").need(300.0, 9.1).reached
+        False
+        """
+        torque, speed = (finite_number(*of) for of in
+                         (("torque_Nm", torque_Nm), ("speed_rad_s", speed_rad_s)))
+        with Question("actuator", "mor") as question:
+            add_conditions(
+                question, rating, bus_voltage_V, state_of_charge, winding_temperature_K
+            )
+            question.option("torque_Nm", "--need", f"{torque!r}@{speed!r}")
+            question.argument(question.document("actuator", self.source))
+            return question.answer()
+
+    def plot(self, axes: Any = None, **conditions: Any) -> Any:
+        """The region drawn with matplotlib, on its ``axes`` where given; returns them. Conditions as
+        for ``region``."""
+        if axes is None:
+            from matplotlib import pyplot
+
+            axes = pyplot.gca()
+        table = self.region(**conditions)
+        speeds, least, greatest = (
+            table[name] for name in ("speed_rad_s", "torque_min_Nm", "torque_max_Nm")
+        )
+        axes.fill_between(speeds, least, greatest, alpha=0.3, label=self.name)
+        axes.plot(speeds, least, speeds, greatest)
+        axes.set_xlabel("speed [rad/s]")
+        axes.set_ylabel("torque [Nm]")
+        return axes
+
+    def _module_of(self, conditions: tuple[Any, ...]) -> Any:
+        """The exported module, whose clip takes the arrays of any library."""
+        if conditions not in self._modules:
+            bus_voltage_V, state_of_charge, winding_temperature_K, side, rating = conditions
+            with Question("actuator", "mor") as question:
+                add_conditions(
+                    question, rating, bus_voltage_V, state_of_charge, winding_temperature_K
+                )
+                question.text("side", "--side", side)
+                question.option("format", "--format", "python")
+                question.option("friction", "--friction", "limits")
+                question.argument(question.document("actuator", self.source))
+                module = types.ModuleType("torquewright_region")
+                exec(question.printed(), module.__dict__)
+            self._modules[conditions] = module
+        return self._modules[conditions]
 
     def _clip_of(self, conditions: tuple[Any, ...]) -> _core.RegionClip:
         if conditions not in self._clips:
@@ -185,7 +259,13 @@ def actuator(document: Source) -> Actuator:
     return Actuator(document)
 
 
-def _with_columns(table: dict[str, Any]) -> dict[str, Any]:
+def _is_foreign(values: Any) -> bool:
+    """Whether these are arrays that NumPy is not to touch."""
+    library = type(values).__module__.partition(".")[0]
+    return library in ("torch", "jax", "jaxlib", "cupy")
+
+
+def _with_columns(table: Result) -> Result:
     rows = table.pop("rows")
     for name in _NUMBERS:
         table[name] = np.array([row[name] for row in rows], dtype=np.float64)

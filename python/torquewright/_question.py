@@ -17,6 +17,7 @@ from typing import Any
 from . import _core
 from ._arrays import write_table
 from ._refusal import Fault, Refusal, refuse
+from ._results import Result, result_of
 
 
 _LONGEST_STEM = 60
@@ -99,9 +100,9 @@ class Question:
         if value:
             self._options.append(option)
 
-    def answer(self) -> dict[str, Any]:
+    def answer(self) -> Result:
         """What the program prints for this command with --json."""
-        return json.loads(self.printed("--json"))
+        return result_of(json.loads(self.printed("--json")))
 
     def printed(self, *flags: str) -> str:
         words = [*self._command, *self._arguments, *self._options, *flags]

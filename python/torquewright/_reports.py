@@ -8,12 +8,13 @@ from typing import Any, Union
 from ._actuator import Actuator, Source, add_conditions
 from ._question import Question, path_word
 from ._refusal import refuse
+from ._results import Result
 
 #: A table as its file, or as columns: a mapping of names to arrays, or a data frame.
 Table = Union[str, "os.PathLike[str]", Mapping[str, Any]]
 
 
-def lint(*actuators: Source | Actuator) -> dict[str, Any]:
+def lint(*actuators: Source | Actuator) -> Result:
     """Contradictions between the stated numbers of actuators; several are compared too.
 
     ``actuators``: files, dictionaries or ``Actuator``.
@@ -48,7 +49,7 @@ def check(
     state_of_charge: float | None = None,
     winding_temperature_K: float | None = None,
     rating: str = "peak",
-) -> dict[str, Any]:
+) -> Result:
     """Can the actuators do this motion?
 
     ``motion``: a CSV file, or columns of arrays: ``time_s`` and, for each joint,
@@ -99,7 +100,7 @@ def hopper_check(
     state_of_charge: float | None = None,
     winding_temperature_K: float | None = None,
     rating: str = "peak",
-) -> dict[str, Any]:
+) -> Result:
     """Can the whole robot do this motion? Dynamics, mechanisms, regions, heat, gear loads.
 
     ``robot``: a document of kind ``robot``. ``motion``: a CSV file or columns of arrays, as for
@@ -137,7 +138,7 @@ def identify(
     tolerance: float | None = None,
     empirical: bool = False,
     refined: str | os.PathLike[str] | None = None,
-) -> dict[str, Any]:
+) -> Result:
     """Is the model true, and if not, which effect is missing?
 
     ``logs``: a CSV file or columns of arrays, or a list of them, from one rig. ``rig``: the
@@ -185,7 +186,7 @@ def optimize(
     time_limit_s: float | None = None,
     max_nodes: int | None = None,
     verify: bool = False,
-) -> dict[str, Any]:
+) -> Result:
     """The best gearbox of a problem, proved.
 
     ``problem``: a document of kind ``gearbox_problem`` (``module_mm``, ``target_ratio``, ...).

@@ -80,7 +80,7 @@ void add_mor_options(command_line::Command& command, MorRequest& request) {
           "--side", request.side,
           "Where torque and speed are taken: joint, or motor (at the rotor, before friction)")
       .one_of({"joint", "motor"});
-  command.add_option("--format", request.format, "Write csv, json or a simulator's file")
+  command.add_option("--format,--for", request.format, "Write csv, json or a simulator's file")
       .otherwise("csv")
       .one_of(mor_formats());
   command

@@ -45,7 +45,7 @@ std::vector<BadArguments> bad_arguments() {
        "command line: --side: \"jont\" is none of joint, motor; did you mean joint?"},
       {{"robot", "export", "a.json"},
        "command line: --format is required: urdf, mjcf, playground, isaac-lab, "
-       "isaac-lab-remotized, mjlab or newton"},
+       "isaac-lab-remotized, mjlab, newton or isaac-lab-2.3"},
       {{"gearbox", "optimize"}, "command line: problem is required"},
       {optimize({"other.json"}),
        "command line: The following argument was not expected: other.json; it is torquewright "

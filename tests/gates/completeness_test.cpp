@@ -41,11 +41,12 @@ void PrintTo(const Library& library, std::ostream* stream) { *stream << library.
 
 std::string constant_of(std::string type) { return "^const " + std::move(type) + R"( (\w+) = \{)"; }
 
-/// `isaac-lab` is the constant isaac_lab, "feet stay" is feet_stay; `3k` is three_k, since no name
-/// in C++ begins with a digit.
+/// `isaac-lab-2.3` is the constant isaac_lab_2_3, "feet stay" is feet_stay; `3k` is three_k, since
+/// no name in C++ begins with a digit.
 std::string constant_called(std::string name) {
   if (name == "3k") return "three_k";
   std::replace(name.begin(), name.end(), '-', '_');
+  std::replace(name.begin(), name.end(), '.', '_');
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
 }

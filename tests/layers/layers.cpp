@@ -79,7 +79,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"winding", {"motor", "lint"}},
       {"friction", {"effects", "motor", "heat", "region"}},
       {"source_text", {}},
-      {"exporters", {"region", "mor", "conditions", "friction", "source_text"}}}},
+      {"exporters", {"region", "mor", "heat", "conditions", "friction", "source_text"}}}},
     {"dynamics", {}},
     {"simulation",
      {{"contact", {}},

@@ -17,13 +17,14 @@ FLAGS = doctest.NORMALIZE_WHITESPACE | doctest.ELLIPSIS
 CALLS = [getattr(torquewright, name) for name in torquewright.__all__ if name[0].islower()] + [
     torquewright.Actuator.region,
     torquewright.Actuator.clip,
+    torquewright.Actuator.need,
 ]
 UNITS = ("_rad_s", "_Nm", "_V", "_K", "_rad", "_mm", "_ohm", "unit", "[Nm]")
 
 
 class Help(unittest.TestCase):
     def test_names_units_and_errors_of_each_call(self):
-        self.assertEqual(len(CALLS), 10)
+        self.assertEqual(len(CALLS), 15)
         for call in CALLS:
             text = inspect.getdoc(call)
             self.assertTrue(any(unit in text for unit in UNITS), call)
@@ -63,7 +64,7 @@ class Page(unittest.TestCase):
     def test_has_each_call(self):
         text = (program.ROOT / "docs/python.md").read_text()
         for call in CALLS:
-            self.assertIn(f".{call.__name__}(", text)
+            self.assertRegex(text, rf"[.`]{call.__name__}\(")
 
 
 class Example(unittest.TestCase):

@@ -160,7 +160,7 @@ void add_export_command(command_line::Command& robot) {
   command
       .add_option("--format", options->format,
                   "What is written: urdf, mjcf, playground (a module of Python around an MJCF), or "
-                  "with --actuators isaac-lab, isaac-lab-remotized, mjlab or newton")
+                  "with --actuators isaac-lab, isaac-lab-2.3, isaac-lab-remotized, mjlab or newton")
       .required()
       .one_of(export_formats());
   command.add_flag(

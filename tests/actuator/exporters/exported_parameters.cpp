@@ -317,6 +317,10 @@ Law law_of_file(const std::string& format, const std::string& text) {
     return line(literal(text, "saturation_effort"), literal(text, "actuator_velocity_limit"),
                 literal(text, "actuator_effort_limit"), true);
   }
+  if (format == "isaac-lab-2.3") {
+    return line(literal(text, "saturation_effort"), literal(text, "velocity_limit"),
+                literal(text, "effort_limit"), true);
+  }
   if (format == "isaac-lab-remotized") return remotized(text);
   if (format == "isaac-lab-bam") return by_voltage(text, "vin", "actuator_effort_limit");
   if (format == "mjlab-dcmotor") return by_voltage(text, "voltage_limit", "effort_limit");

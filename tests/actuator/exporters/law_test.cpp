@@ -18,7 +18,7 @@ TEST(ExporterLibrary, HasEachTargetOnceByName) {
       "mjlab",      "mjlab-dcmotor",  "unitree-xy", "physx",         "newton",
       "raisim2",    "raisim1",        "urdf",       "sdf",           "drake",
       "drake-sdf",  "jaxsim",         "pybullet",   "isaac-gym",     "genesis",
-      "playground", "python",         "c"};
+      "playground", "python",         "c",          "isaac-lab-2.3"};
   ASSERT_EQ(exporter_library().size(), names.size());
   for (std::size_t i = 0; i < names.size(); ++i) {
     EXPECT_EQ(exporter_library()[i]->name, names[i]);

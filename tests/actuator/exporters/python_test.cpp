@@ -116,6 +116,11 @@ TEST(Python, RunsTheConfigurationsAndFindsTheNumbers) {
         Field{&exporters::isaac_lab, "joint_effort_limit", 320.0},
         Field{&exporters::isaac_lab, "armature", 0.3688},
         // K = 67.2 / 10.5 = 6.4 and R = 6.4 67.2 / 1536 = 0.28 ohm.
+        Field{&exporters::isaac_lab_2_3, "saturation_effort", 1536.0},
+        Field{&exporters::isaac_lab_2_3, "velocity_limit", 10.5},
+        Field{&exporters::isaac_lab_2_3, "effort_limit", 320.0},
+        Field{&exporters::isaac_lab_2_3, "effort_limit_sim", 320.0},
+        Field{&exporters::isaac_lab_2_3, "armature", 0.3688},
         Field{&exporters::isaac_lab_bam, "kt", 6.4},
         Field{&exporters::isaac_lab_bam, "resistance", 0.28},
         Field{&exporters::isaac_lab_bam, "vin", 67.2},

@@ -36,6 +36,8 @@ module(
     min=min,
     max=max,
     abs=abs,
+    sqrt=math.sqrt,
+    isnan=math.isnan,
     tanh=math.tanh,
     float32=numpy.float32,
     uint32=numpy.uint32,

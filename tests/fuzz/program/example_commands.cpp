@@ -32,6 +32,7 @@ actuator mor specs/actuator/d110a_ankle.json --ratio 4:40
 actuator mor specs/actuator/d151_knee.json --compare specs/actuator/d110a_ankle.json --json
 actuator mor specs/actuator/d151_knee.json --format mujoco --export knee.xml
 actuator mor specs/actuator/ak80_9.json --format isaac-lab --fit best
+actuator mor specs/actuator/ak80_9.json --for isaac-lab-2.3
 actuator mor specs/actuator/ak80_9.json --format physx --bus-voltage 40 --export out.usda
 actuator mor specs/actuator/mini_cheetah_knee.json --format urdf --json
 actuator mor specs/actuator/d151_knee.json --format drake --rating continuous

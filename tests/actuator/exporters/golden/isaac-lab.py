@@ -5,7 +5,7 @@
 # Side: joint. Rating: peak. Bus voltage: 67.2 V. Winding temperature: 298.15 K.
 # Friction included: gearbox efficiencies 1 driving, 1 back-driven. Do not also apply friction or an efficiency.
 # Armature: 0.3688 kg m^2 = N^2 J, N = 20, J = 0.000922 kg m^2. Do not add the rotor to a link as well.
-# Before Isaac Lab 3 the fields are effort_limit and velocity_limit; before pull request 2300 (April 2025) braking past the no-load speed was forced to zero.
+# For the fields of Isaac Lab 2: isaac-lab-2.3. Before pull request 2300 (April 2025) braking past the no-load speed was forced to zero.
 # Left out: battery: none stated; the bus voltage is stiff
 # Left out: thermal: none stated; the winding stays at its temperature
 # Left out: inductance: none stated; voltage is lost over the resistance alone
