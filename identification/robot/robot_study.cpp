@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "identification/reading/robot_commands.hpp"
+#include "identification/rollout/servo_start.hpp"
+
 namespace torquewright::identification {
 namespace {
 
@@ -13,6 +16,7 @@ using Of = FreeValue::Of;
 constexpr double kVaries = 5.0;   ///< Standard errors.
 constexpr double kMatters = 0.1;  ///< Of the friction in the middle.
 constexpr std::size_t kFirstRounds = 3, kLastRounds = 5;
+constexpr std::size_t kGainRounds = 15;  ///< Gains begin far from where they end.
 /// Seconds of one joint's simulation in one round: what a user waits for.
 constexpr double kMostJoint_s = 12000.0;
 constexpr double kLeast_s = 10.0, kMost_s = 60.0;
@@ -21,12 +25,17 @@ bool is_uncertain_in(const Rig& rig, const std::string& pointer) {
   return std::find(rig.uncertain.begin(), rig.uncertain.end(), pointer) != rig.uncertain.end();
 }
 
-std::vector<FreeValue> all_values(const Rig& rig, const RobotModel& model) {
+/// Nothing is told of a joint that does not move.
+std::vector<FreeValue> all_values(const Rig& rig, const Log& log, const RobotModel& model) {
   std::vector<FreeValue> values = free_values(model);
+  for (FreeValue& each : controller_values(model)) values.push_back(std::move(each));
   for (FreeValue& each : body_values(model)) values.push_back(std::move(each));
   for (FreeValue& each : base_values()) {
     if (is_uncertain_in(rig, "/load/" + each.name)) values.push_back(std::move(each));
   }
+  const std::vector<bool> moves = moving_joints(rig, log);
+  std::erase_if(values,
+                [&](const FreeValue& each) { return !each.is_of_all() && !moves[each.joint]; });
   return values;
 }
 
@@ -113,6 +122,30 @@ void erase_waves_but(const std::vector<bool>& varies, const RobotModel& stated, 
   }
 }
 
+bool finds_gains(const RobotModel& model) {
+  return std::any_of(model.controllers.begin(), model.controllers.end(),
+                     [](const JointController& each) { return each.finds_stiffness; });
+}
+
+/// From inverse dynamics to the simulation's own optimum, with what matters most alone, and of
+/// alike joints as one: from far away everything else would take the gains' place.
+RobotModel begin_of_gains(const Log& log, RobotModel model,
+                          const std::vector<std::vector<std::size_t>>& alike) {
+  ValueFitOptions options;
+  options.begin = servo_start(log, model);
+  model.controllers = options.begin->controllers;
+  std::vector<FreeValue> values = free_values(model);
+  std::erase_if(
+      values, [](const FreeValue& each) { return each.of == Of::kOffset || each.of == Of::kWave; });
+  for (FreeValue& each : controller_values(model)) values.push_back(std::move(each));
+  tie(alike, values);
+  for (const FreeValue& each : values)
+    set_value(*options.begin, each, value_in(*options.begin, each));
+  options.most_rounds = kGainRounds;
+  const ValueFit fit = fit_values(log, model, values, options);
+  return fit.values.empty() ? *options.begin : fit.model;
+}
+
 }  // namespace
 
 RobotStudy study_robot(const Rig& rig, const Log& log, const RobotModel& stated,
@@ -125,9 +158,13 @@ RobotStudy study_robot(const Rig& rig, const Log& log, const RobotModel& stated,
     if (!has_wave_of_friction(drive)) add_wave_of_friction(drive);
   }
   ValueFitOptions options;
+  if (finds_gains(model)) {
+    options.begin = begin_of_gains(log, model, alike);
+    model.controllers = options.begin->controllers;
+  }
   options.most_rounds = kFirstRounds;
-  const std::vector<FreeValue> first = all_values(rig, model);
-  options.most_simulated_s = simulated_s(model, first);
+  const std::vector<FreeValue> first = all_values(rig, log, model);
+  options.most_simulated_s = finds_gains(model) ? kMost_s : simulated_s(model, first);
   options.on_progress = [&](double share) {
     if (on_progress) on_progress(0.5 * share);
   };
@@ -143,10 +180,12 @@ RobotStudy study_robot(const Rig& rig, const Log& log, const RobotModel& stated,
     if (on_progress) on_progress(0.5 + 0.5 * share);
   };
   const double before_rad = study.fit.rms_before_rad;
-  study.fit = fit_values(log, model, all_values(rig, model), options);
+  study.fit = fit_values(log, model, all_values(rig, log, model), options);
   study.fit.rms_before_rad = before_rad;
   study.alike = compare_alike(log, study.fit, alike);
   study.load = load_errors(stated, study.fit);
+  study.base = base_motion(log, study.fit.model);
+  study.trade_offs = find_trade_offs(study.fit);
   return study;
 }
 
