@@ -3,6 +3,7 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 
 #include "identification/reading/robot_commands.hpp"
 #include "identification/rig/joint_actuator_json.hpp"
@@ -91,6 +92,30 @@ TEST(Limbs, MoveAsTheyDoInTheWholeRobot) {
       }
     }
   }
+}
+
+// A loop that pushes away from its command, by any number that there is: an outcome, no exception
+// and nothing that is no number.
+TEST(Limbs, OfAnUnstableLoopHaveNoErrors) {
+  const Rig rig = two_legs_rig();
+  RobotModel model = model_of_rig(rig);
+  const identification::Run run = moving_run(rig.joints.size());
+  for (JointController& each : model.controllers) {
+    each.law.stiffness_Nm_rad = -1e4;
+    each.law.torque_limit_Nm = std::numeric_limits<double>::infinity();
+  }
+  for (actuator::Actuator& each : model.drives) {
+    each.drive.peak_current_A = each.drive.bus_voltage_V = std::numeric_limits<double>::max();
+  }
+  Log log;
+  log.runs.push_back(run);
+  for (const Limb& limb : limbs_of(rig.load)) {
+    EXPECT_TRUE(limb_errors_rad(model, limb, run, {0, 1, 398}, 2e-3).empty());
+  }
+  const Rollout rollout = roll_out(log, model, {1.0, 0.0, 10, false});
+  EXPECT_GT(rollout.train.diverged, 0u);
+  EXPECT_EQ(rollout.train.diverged, rollout.train.windows);
+  EXPECT_TRUE(fit_values(log, model, free_values(model)).values.empty());
 }
 
 TEST(Limbs, WindowsGoAroundWhatIsMasked) {
@@ -207,7 +232,8 @@ TEST(RobotMotion, CommandsInDegreesAreRefused) {
 
 /// Half a minute of two legs whose joints' commands are what their drives need to move so, where
 /// the base sways by this much and drives have another rotor than the model's.
-Log swaying_log(const Rig& rig, const RobotModel& model, double sway_rad, double rotor_error) {
+Log swaying_log(const Rig& rig, const RobotModel& model, double sway_rad, double rotor_error,
+                bool one_leg = false) {
   const std::size_t joints = rig.joints.size();
   identification::Run run;
   for (int i = 0; i < 6000; ++i) run.time_s.push_back(i / kSamplesPer_s);
@@ -230,6 +256,11 @@ Log swaying_log(const Rig& rig, const RobotModel& model, double sway_rad, double
     Eigen::MatrixXd mass(count, count);
     plant->mass_matrix(position, mass);
     plant->bias(position, speed, bias);
+    if (one_leg) {
+      Eigen::VectorXd still(count);
+      plant_of(model.load)->bias(position, speed, still);
+      for (const Eigen::Index right : {1, 3, 5}) bias[right] = still[right];
+    }
     const Eigen::VectorXd torque = bias + mass * acceleration;
     for (Eigen::Index i = 0; i < count; ++i) {
       const auto joint = static_cast<std::size_t>(i);
@@ -257,6 +288,10 @@ TEST(BaseMotion, IsSeenInBothLegs) {
   const BaseMotion held = base_motion(swaying_log(rig, model, 0.0, 0.01), model);
   EXPECT_FALSE(held.moves()) << held.correlation << " " << held.share << " " << held.tilt_rad;
   EXPECT_FALSE(base_motion(swaying_log(rig, model, 0.0, 0.0), model).moves());
+  // What pulls at one leg alone is no base.
+  const BaseMotion pulled = base_motion(swaying_log(rig, model, 0.2, 0.0, true), model);
+  EXPECT_GT(pulled.share, 0.3);
+  EXPECT_FALSE(pulled.moves()) << pulled.correlation << " " << pulled.share;
 }
 
 /// A gain of 20 that the log tells to `gain_error`, and a rotor that is 0.002 of it to one in a
