@@ -4,8 +4,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "identification/reading/robot_commands.hpp"
+#include "identification/rollout/rollout.hpp"
 #include "identification/rollout/servo_start.hpp"
 
 namespace torquewright::identification {
@@ -16,7 +18,8 @@ using Of = FreeValue::Of;
 constexpr double kVaries = 5.0;   ///< Standard errors.
 constexpr double kMatters = 0.1;  ///< Of the friction in the middle.
 constexpr std::size_t kFirstRounds = 3, kLastRounds = 5;
-constexpr std::size_t kGainRounds = 15;  ///< Gains begin far from where they end.
+constexpr double kGainWindow_s = 5.0;  ///< Of the trials of where gains begin.
+constexpr std::size_t kGainWindows = 24;
 /// Seconds of one joint's simulation in one round: what a user waits for.
 constexpr double kMostJoint_s = 12000.0;
 constexpr double kLeast_s = 10.0, kMost_s = 60.0;
@@ -127,23 +130,38 @@ bool finds_gains(const RobotModel& model) {
                      [](const JointController& each) { return each.finds_stiffness; });
 }
 
-/// From inverse dynamics to the simulation's own optimum, with what matters most alone, and of
-/// alike joints as one: from far away everything else would take the gains' place.
-RobotModel begin_of_gains(const Log& log, RobotModel model,
-                          const std::vector<std::vector<std::size_t>>& alike) {
-  ValueFitOptions options;
-  options.begin = servo_start(log, model);
-  model.controllers = options.begin->controllers;
-  std::vector<FreeValue> values = free_values(model);
-  std::erase_if(
-      values, [](const FreeValue& each) { return each.of == Of::kOffset || each.of == Of::kWave; });
-  for (FreeValue& each : controller_values(model)) values.push_back(std::move(each));
-  tie(alike, values);
-  for (const FreeValue& each : values)
-    set_value(*options.begin, each, value_in(*options.begin, each));
-  options.most_rounds = kGainRounds;
-  const ValueFit fit = fit_values(log, model, values, options);
-  return fit.values.empty() ? *options.begin : fit.model;
+/// A gain with what scales with it, so many times as large, and another share of the delay.
+RobotModel scaled(RobotModel model, double times, double share_of_delay) {
+  for (const FreeValue& each : free_values(model)) {
+    const bool scales = each.of == Of::kRotor || each.of == Of::kEffect;
+    if (!scales || !model.controllers[each.joint].finds_stiffness) continue;
+    set_value(model, each, std::clamp(times * value_in(model, each), each.lowest, each.highest));
+  }
+  for (JointController& each : model.controllers) {
+    if (each.finds_stiffness) each.law.stiffness_Nm_rad *= times;
+    if (each.finds_delay) each.delay_s *= share_of_delay;
+  }
+  return model;
+}
+
+/// Where the fit of gains begins: inverse dynamics see the bodies' torques through noise, which
+/// makes gains too small, and a late law for friction; what the simulation itself follows best.
+RobotModel begin_of_gains(const Log& log, const RobotModel& model) {
+  const RobotModel start = servo_start(log, model);
+  RobotModel best = start;
+  double least_rad = std::numeric_limits<double>::infinity();
+  for (const double times : {1.0, 2.0, 4.0}) {
+    for (const double share : {1.0, 0.5, 0.0}) {
+      RobotModel tried = scaled(start, times, share);
+      const Rollout rollout = roll_out(log, tried, {kGainWindow_s, 0.0, kGainWindows, false});
+      const bool is_better = rollout.train.diverged == 0 && rollout.train.windows > 0 &&
+                             rollout.train.all_rad < least_rad;
+      if (!is_better) continue;
+      least_rad = rollout.train.all_rad;
+      best = std::move(tried);
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -159,12 +177,12 @@ RobotStudy study_robot(const Rig& rig, const Log& log, const RobotModel& stated,
   }
   ValueFitOptions options;
   if (finds_gains(model)) {
-    options.begin = begin_of_gains(log, model, alike);
+    options.begin = begin_of_gains(log, model);
     model.controllers = options.begin->controllers;
   }
   options.most_rounds = kFirstRounds;
   const std::vector<FreeValue> first = all_values(rig, log, model);
-  options.most_simulated_s = finds_gains(model) ? kMost_s : simulated_s(model, first);
+  options.most_simulated_s = simulated_s(model, first);
   options.on_progress = [&](double share) {
     if (on_progress) on_progress(0.5 * share);
   };
