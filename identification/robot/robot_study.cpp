@@ -182,7 +182,7 @@ RobotStudy study_robot(const Rig& rig, const Log& log, const RobotModel& stated,
   }
   options.most_rounds = kFirstRounds;
   const std::vector<FreeValue> first = all_values(rig, log, model);
-  options.most_simulated_s = finds_gains(model) ? kMost_s : simulated_s(model, first);
+  options.most_simulated_s = simulated_s(model, first);
   options.on_progress = [&](double share) {
     if (on_progress) on_progress(0.5 * share);
   };
