@@ -13,6 +13,7 @@
 #include "identification/forward/candidates.hpp"
 #include "identification/reading/against_actuator.hpp"
 #include "identification/reading/read_log.hpp"
+#include "identification/reading/robot_commands.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -86,9 +87,11 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
   found.train_runs = log.train_runs;
   found.holdout_runs = log.holdout_runs;
   found.files = log.files;
+  const std::vector<bool> moves = moving_joints(rig, log);
   for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
     AnalysisOptions analysis = options.analysis;
-    analysis.select = options.select && !has_error(log.findings);  // no names from such data
+    // No names from such data.
+    analysis.select = options.select && !has_error(log.findings) && moves[joint];
     if (options.progress) {
       analysis.progress = [&, joint](const std::string& what, double share) {
         const auto joints = static_cast<double>(rig.joints.size());
@@ -96,7 +99,7 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
       };
     }
     for (EquationResult& each : analyse(rig, log, joint, nominal, analysis)) {
-      if (has_error(log.findings)) each.verdict = Verdict::kCannotTell;
+      if (has_error(log.findings) || !moves[joint]) each.verdict = Verdict::kCannotTell;
       found.equations.push_back(std::move(each));
     }
   }

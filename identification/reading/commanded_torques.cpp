@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "identification/log/delayed.hpp"
 #include "io/faults/refusal.hpp"
 
 namespace torquewright::identification {
@@ -18,14 +19,16 @@ double speed_at(const Run& run, const std::vector<double>& position_rad, std::si
   return (position_rad[after] - position_rad[before]) / (run.time_s[after] - run.time_s[before]);
 }
 
-void add_torque(const actuator::PositionLaw& law, std::size_t joint, Run& run) {
+void add_torque(const JointController& controller, std::size_t joint, Run& run) {
   Channels& channels = run.joints[joint];
-  const std::vector<double>& command_rad = channels[Quantity::kCommandedPosition];
+  const std::vector<double> command_rad =
+      delayed(run.time_s, channels[Quantity::kCommandedPosition], controller.delay_s);
   const std::vector<double>& position_rad = channels[Quantity::kOutputPosition];
   std::vector<double>& torque_Nm = channels[Quantity::kCommandedTorque];
   torque_Nm.resize(position_rad.size());
   for (std::size_t i = 0; i < position_rad.size(); ++i) {
-    torque_Nm[i] = law.torque_Nm(command_rad[i], position_rad[i], speed_at(run, position_rad, i));
+    torque_Nm[i] =
+        controller.law.torque_Nm(command_rad[i], position_rad[i], speed_at(run, position_rad, i));
   }
 }
 

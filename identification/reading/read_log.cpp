@@ -12,6 +12,7 @@
 #include "identification/reading/log_reader.hpp"
 #include "identification/reading/motion.hpp"
 #include "identification/reading/repair.hpp"
+#include "identification/reading/robot_commands.hpp"
 #include "identification/reading/stale_rows.hpp"
 #include "io/faults/spec_error.hpp"
 #include "io/text/time_text.hpp"
@@ -159,6 +160,7 @@ Log read_log(const std::vector<std::filesystem::path>& files, const Rig& rig,
   log.printed = reader.printed_steps();
   report_rig(rig, log.findings);
   if (!rig.load.is_steady) mend_and_check_motion(rig, log);
+  check_robot_motion(rig, log);
   add_commanded_torques(rig, log);
   choose_holdout(log, rig);
   report_length(log);

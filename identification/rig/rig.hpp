@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "actuator/motor/position_law.hpp"
+#include "identification/rig/joint_controller.hpp"
 #include "identification/rig/quantity.hpp"
 #include "identification/rig/robot_load.hpp"
 
@@ -71,12 +71,13 @@ struct Rig {
   std::vector<std::string> joints;
   /// The links did not name the joints; their order is that of the columns.
   bool joints_by_columns = false;
-  /// The law of each joint's controller, where it is stated; empty: no law is.
-  std::vector<std::optional<actuator::PositionLaw>> controllers;
+  /// Each joint's controller, where it is stated; empty: none is.
+  std::vector<std::optional<JointController>> controllers;
   /// Indices of joints that have the same hardware, group by group.
   std::vector<std::vector<std::size_t>> alike;
   std::vector<std::string> holdout_runs;  ///< Names of runs to hold out; empty: none stated.
-  /// Pointers to values that a fit may correct: /load/..., /loads/RUN/..., /motor/..., /gearbox/...
+  /// Pointers to values that a fit may correct: /load/..., /loads/RUN/..., /motor/...,
+  /// /gearbox/..., /controller/..., /controllers/PATTERN/...
   std::vector<std::string> uncertain;
 };
 

@@ -86,6 +86,14 @@ std::string objection_to_pointer(const std::string& pointer, const json& rig) {
     }
     const json load = rig.value("load", json::object());
     if (load.contains("links")) collect_numbers(load["links"], "/load/links", known);
+  } else if (pointer.starts_with("/controller")) {
+    const json by_joint = rig.value("controllers", json::object());
+    for (const char* key : {"stiffness_Nm_rad", "damping_Nm_s_rad", "delay_s"}) {
+      if (rig.contains("controller")) known.push_back(fmt::format("/controller/{}", key));
+      for (const auto& [pattern, law] : by_joint.items()) {
+        known.push_back(io::child_path(io::child_path("/controllers", pattern), key));
+      }
+    }
   } else {
     for (const char* part : {"motor", "gearbox"}) {
       for (const std::string& key : numbers_of_actuator(part)) {

@@ -4,6 +4,11 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "identification/reading/robot_commands.hpp"
+#include "identification/rollout/rollout.hpp"
+#include "identification/rollout/servo_start.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -13,6 +18,8 @@ using Of = FreeValue::Of;
 constexpr double kVaries = 5.0;   ///< Standard errors.
 constexpr double kMatters = 0.1;  ///< Of the friction in the middle.
 constexpr std::size_t kFirstRounds = 3, kLastRounds = 5;
+constexpr double kGainWindow_s = 5.0;  ///< Of the trials of where gains begin.
+constexpr std::size_t kGainWindows = 24;
 /// Seconds of one joint's simulation in one round: what a user waits for.
 constexpr double kMostJoint_s = 12000.0;
 constexpr double kLeast_s = 10.0, kMost_s = 60.0;
@@ -21,12 +28,17 @@ bool is_uncertain_in(const Rig& rig, const std::string& pointer) {
   return std::find(rig.uncertain.begin(), rig.uncertain.end(), pointer) != rig.uncertain.end();
 }
 
-std::vector<FreeValue> all_values(const Rig& rig, const RobotModel& model) {
+/// Nothing is told of a joint that does not move.
+std::vector<FreeValue> all_values(const Rig& rig, const Log& log, const RobotModel& model) {
   std::vector<FreeValue> values = free_values(model);
+  for (FreeValue& each : controller_values(model)) values.push_back(std::move(each));
   for (FreeValue& each : body_values(model)) values.push_back(std::move(each));
   for (FreeValue& each : base_values()) {
     if (is_uncertain_in(rig, "/load/" + each.name)) values.push_back(std::move(each));
   }
+  const std::vector<bool> moves = moving_joints(rig, log);
+  std::erase_if(values,
+                [&](const FreeValue& each) { return !each.is_of_all() && !moves[each.joint]; });
   return values;
 }
 
@@ -113,6 +125,45 @@ void erase_waves_but(const std::vector<bool>& varies, const RobotModel& stated, 
   }
 }
 
+bool finds_gains(const RobotModel& model) {
+  return std::any_of(model.controllers.begin(), model.controllers.end(),
+                     [](const JointController& each) { return each.finds_stiffness; });
+}
+
+/// A gain with what scales with it, so many times as large, and another share of the delay.
+RobotModel scaled(RobotModel model, double times, double share_of_delay) {
+  for (const FreeValue& each : free_values(model)) {
+    const bool scales = each.of == Of::kRotor || each.of == Of::kEffect;
+    if (!scales || !model.controllers[each.joint].finds_stiffness) continue;
+    set_value(model, each, std::clamp(times * value_in(model, each), each.lowest, each.highest));
+  }
+  for (JointController& each : model.controllers) {
+    if (each.finds_stiffness) each.law.stiffness_Nm_rad *= times;
+    if (each.finds_delay) each.delay_s *= share_of_delay;
+  }
+  return model;
+}
+
+/// Where the fit of gains begins: inverse dynamics see the bodies' torques through noise, which
+/// makes gains too small, and a late law for friction; what the simulation itself follows best.
+RobotModel begin_of_gains(const Log& log, const RobotModel& model) {
+  const RobotModel start = servo_start(log, model);
+  RobotModel best = start;
+  double least_rad = std::numeric_limits<double>::infinity();
+  for (const double times : {1.0, 2.0, 4.0}) {
+    for (const double share : {1.0, 0.5, 0.0}) {
+      RobotModel tried = scaled(start, times, share);
+      const Rollout rollout = roll_out(log, tried, {kGainWindow_s, 0.0, kGainWindows, false});
+      const bool is_better = rollout.train.diverged == 0 && rollout.train.windows > 0 &&
+                             rollout.train.all_rad < least_rad;
+      if (!is_better) continue;
+      least_rad = rollout.train.all_rad;
+      best = std::move(tried);
+    }
+  }
+  return best;
+}
+
 }  // namespace
 
 RobotStudy study_robot(const Rig& rig, const Log& log, const RobotModel& stated,
@@ -125,8 +176,12 @@ RobotStudy study_robot(const Rig& rig, const Log& log, const RobotModel& stated,
     if (!has_wave_of_friction(drive)) add_wave_of_friction(drive);
   }
   ValueFitOptions options;
+  if (finds_gains(model)) {
+    options.begin = begin_of_gains(log, model);
+    model.controllers = options.begin->controllers;
+  }
   options.most_rounds = kFirstRounds;
-  const std::vector<FreeValue> first = all_values(rig, model);
+  const std::vector<FreeValue> first = all_values(rig, log, model);
   options.most_simulated_s = simulated_s(model, first);
   options.on_progress = [&](double share) {
     if (on_progress) on_progress(0.5 * share);
@@ -143,10 +198,12 @@ RobotStudy study_robot(const Rig& rig, const Log& log, const RobotModel& stated,
     if (on_progress) on_progress(0.5 + 0.5 * share);
   };
   const double before_rad = study.fit.rms_before_rad;
-  study.fit = fit_values(log, model, all_values(rig, model), options);
+  study.fit = fit_values(log, model, all_values(rig, log, model), options);
   study.fit.rms_before_rad = before_rad;
   study.alike = compare_alike(log, study.fit, alike);
   study.load = load_errors(stated, study.fit);
+  study.base = base_motion(log, study.fit.model);
+  study.trade_offs = find_trade_offs(study.fit);
   return study;
 }
 

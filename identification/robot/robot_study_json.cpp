@@ -60,6 +60,22 @@ ordered_json load_error_json(const LoadError& error, const std::vector<std::stri
   return entry;
 }
 
+ordered_json trade_off_json(const TradeOff& trade_off, const std::vector<std::string>& joints) {
+  ordered_json entry{{"joint", joints[trade_off.joint]},
+                     {"scale", trade_off.is_scale},
+                     {"sentence", sentence_of(trade_off, joints)},
+                     {"separated_by", separated_by(trade_off)},
+                     {"values", ordered_json::array()}};
+  for (const TradedValue& each : trade_off.values) {
+    entry["values"].push_back({{"name", each.which.name},
+                               {"value", each.value},
+                               {"standard_error", each.standard_error},
+                               {"ratio", each.ratio},
+                               {"ratio_error", each.ratio_error}});
+  }
+  return entry;
+}
+
 }  // namespace
 
 std::string sentence_of(const AlikeNumber& number, const UnlikeJoint& unlike,
@@ -79,10 +95,21 @@ std::string sentence_of(const AlikeNumber& number, const UnlikeJoint& unlike,
       number.joints.size() - 1, least, most, unlike.sigmas);
 }
 
+std::string sentence_of(const BaseMotion& motion) {
+  if (!motion.moves()) return "";
+  return fmt::format(
+      "The base is said to be held and moves: one half of the limbs shows the same sway as the "
+      "other (correlation {:.2f}, {:.2g} rad of tilt, or {:.2g} m/s2 of push; it takes {:.0f} % of "
+      "what is left at all joints). Hold it, or log it.",
+      motion.correlation, motion.tilt_rad, 9.81 * motion.tilt_rad, 100.0 * motion.share);
+}
+
 void add_study(const RobotStudy& study, const std::vector<std::string>& joints,
                ordered_json& report) {
   ordered_json& values = report["simulated"]["values"] = ordered_json::array();
   for (const FittedValue& each : study.fit.values) values.push_back(value_json(each, joints));
+  ordered_json& traded = report["simulated"]["trade_offs"] = ordered_json::array();
+  for (const TradeOff& each : study.trade_offs) traded.push_back(trade_off_json(each, joints));
   report["alike"] = ordered_json::array();
   for (const AlikeNumber& each : study.alike) report["alike"].push_back(alike_json(each, joints));
   ordered_json& load = report["load"];
@@ -90,6 +117,10 @@ void add_study(const RobotStudy& study, const std::vector<std::string>& joints,
   for (const LoadError& each : study.load.errors) {
     load["errors"].push_back(load_error_json(each, joints));
   }
+  load["base"] = {{"correlation", study.base.correlation},
+                  {"tilt_rad", study.base.tilt_rad},
+                  {"share", study.base.share},
+                  {"moves", study.base.moves()}};
   load["told"] = ordered_json::array();
   for (const LoadRank& each : study.load.limbs) {
     load["told"].push_back({{"bodies", each.bodies}, {"numbers", each.of}, {"told", each.told}});

@@ -19,4 +19,7 @@ void add_study(const RobotStudy& study, const std::vector<std::string>& joints,
 std::string sentence_of(const AlikeNumber& number, const UnlikeJoint& unlike,
                         const std::vector<std::string>& joints);
 
+/// That the base moves, and by what it is seen; empty where it does not.
+std::string sentence_of(const BaseMotion& motion);
+
 }  // namespace torquewright::identification

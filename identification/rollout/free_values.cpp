@@ -23,6 +23,8 @@ constexpr double kCalibration_rad = 0.02;  ///< What a calibration of an encoder
 constexpr double kHung_rad = 0.1;          ///< How level a robot hangs that was hung level.
 constexpr double kWeighed = 0.1;           ///< Of a mass: cables, covers, screws.
 constexpr double kCentred_m = 0.01;
+constexpr double kPacket_s = 0.02;  ///< Of commands: what one may be late.
+constexpr double kLatest_s = 0.5;
 constexpr double kTurned_rad = 0.6;  ///< More would have been stated.
 /// Changes that show, in a joint of a leg or an arm.
 constexpr double kInertia_kg_m2 = 0.01;
@@ -130,11 +132,28 @@ double value_in(const RobotModel& model, const FreeValue& which) {
     case Of::kCenter:
       return body_of(model, which.joint)
           .inertia.center_of_mass_m[static_cast<Eigen::Index>(which.parameter)];
+    case Of::kStiffness:
+      return model.controllers[which.joint].law.stiffness_Nm_rad;
+    case Of::kDamping:
+      return model.controllers[which.joint].law.damping_Nm_s_rad;
+    case Of::kDelay:
+      return model.controllers[which.joint].delay_s;
   }
   return 0.0;
 }
 
+bool FreeValue::is_of(std::size_t one) const {
+  return is_of_all() || joint == one ||
+         std::find(sisters.begin(), sisters.end(), one) != sisters.end();
+}
+
 void set_value(RobotModel& model, const FreeValue& which, double value) {
+  for (const std::size_t sister : which.sisters) {
+    FreeValue own = which;
+    own.sisters.clear();
+    own.joint = sister;
+    set_value(model, own, value);
+  }
   const auto change_body = [&](auto&& change) {
     auto robot = std::make_shared<RobotLoad>(*model.load.robot);
     change(robot->tree.bodies[robot->bodies[which.joint]].inertia);
@@ -169,6 +188,39 @@ void set_value(RobotModel& model, const FreeValue& which, double value) {
         inertia.center_of_mass_m[static_cast<Eigen::Index>(which.parameter)] = value;
       });
       break;
+    case Of::kStiffness:
+      model.controllers[which.joint].law.stiffness_Nm_rad = value;
+      break;
+    case Of::kDamping:
+      model.controllers[which.joint].law.damping_Nm_s_rad = value;
+      break;
+    case Of::kDelay:
+      for (JointController& each : model.controllers) {
+        if (each.finds_delay) each.delay_s = value;
+      }
+      break;
+  }
+}
+
+void tie(const std::vector<std::vector<std::size_t>>& alike, std::vector<FreeValue>& values) {
+  const auto may_be_tied = [](const FreeValue& which) {
+    return which.of == Of::kRotor || which.of == Of::kEffect || which.of == Of::kWave ||
+           which.of == Of::kStiffness || which.of == Of::kDamping;
+  };
+  for (const std::vector<std::size_t>& group : alike) {
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      if (group.empty() || values[k].joint != group.front() || !may_be_tied(values[k])) continue;
+      const FreeValue first = values[k];
+      const auto is_same = [&](const FreeValue& other) {
+        return other.of == first.of && other.joint != first.joint && other.effect == first.effect &&
+               other.parameter == first.parameter &&
+               std::find(group.begin(), group.end(), other.joint) != group.end();
+      };
+      for (const FreeValue& each : values) {
+        if (is_same(each)) values[k].sisters.push_back(each.joint);
+      }
+      std::erase_if(values, is_same);
+    }
   }
 }
 
@@ -234,6 +286,34 @@ std::vector<FreeValue> base_values() {
   pitch.of = Of::kPitch;
   pitch.name = "pitch_rad";
   return {roll, pitch};
+}
+
+std::vector<FreeValue> controller_values(const RobotModel& model) {
+  std::vector<FreeValue> values;
+  bool finds_delay = false;
+  const auto add = [&](Of of, std::size_t joint, const char* name, double size) {
+    FreeValue one;
+    one.of = of;
+    one.joint = joint;
+    one.name = name;
+    one.size = one.deviation = size;
+    values.push_back(one);
+  };
+  for (std::size_t joint = 0; joint < model.controllers.size(); ++joint) {
+    const JointController& own = model.controllers[joint];
+    // Nothing is known of a gain but its order of magnitude.
+    if (own.finds_stiffness && own.law.stiffness_Nm_rad > 0.0)
+      add(Of::kStiffness, joint, "controller_stiffness_Nm_rad", own.law.stiffness_Nm_rad);
+    if (own.finds_damping)
+      add(Of::kDamping, joint, "controller_damping_Nm_s_rad",
+          std::max(own.law.damping_Nm_s_rad, kEffect));
+    if (own.finds_delay && !finds_delay) {
+      finds_delay = true;
+      add(Of::kDelay, joint, "command_delay_s", kPacket_s);
+      values.back().highest = kLatest_s;
+    }
+  }
+  return values;
 }
 
 std::vector<FreeValue> body_values(const RobotModel& model) {

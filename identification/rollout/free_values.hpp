@@ -18,11 +18,16 @@ struct FreeValue {
     kOffset,  ///< Of the encoder.
     kRoll,    ///< How the base hung, for all joints.
     kPitch,
-    kMass,    ///< Of the body that the joint carries; its centre stays.
-    kCenter,  ///< Of that body's centre of mass, along an axis of the body.
+    kMass,       ///< Of the body that the joint carries; its centre stays.
+    kCenter,     ///< Of that body's centre of mass, along an axis of the body.
+    kStiffness,  ///< Of the joint's controller.
+    kDamping,
+    kDelay,  ///< Of the command, at all joints where it is to be found.
   };
   Of of = Of::kRotor;
-  std::size_t joint = 0;      ///< Of the rig; meaningless for the base.
+  std::size_t joint = 0;  ///< Of the rig; meaningless for the base.
+  /// Other joints of the same hardware, whose number is the same.
+  std::vector<std::size_t> sisters = {};
   std::string effect;         ///< Name of the effect; empty for others.
   std::size_t parameter = 0;  ///< Of the effect, its wave's part, or the axis of a centre.
   std::string name;           ///< Of the number, with its unit: "coulomb_Nm".
@@ -32,11 +37,16 @@ struct FreeValue {
   /// weighing leaves; infinite where nothing is known.
   double deviation = std::numeric_limits<double>::infinity();
 
-  bool is_of_all() const { return of == Of::kRoll || of == Of::kPitch; }
+  bool is_of(std::size_t one) const;  ///< Whether it is a number of this joint.
+  bool is_of_all() const { return of == Of::kRoll || of == Of::kPitch || of == Of::kDelay; }
 };
 
 double value_in(const RobotModel& model, const FreeValue& which);
 void set_value(RobotModel& model, const FreeValue& which, double value);
+
+/// Makes the numbers of the joints' drives and controllers one number for each group of alike
+/// joints that have it.
+void tie(const std::vector<std::vector<std::size_t>>& alike, std::vector<FreeValue>& values);
 
 /// Gives each drive that has no such law viscous and dry friction of nothing, so that a fit may
 /// find them: what every joint has.
@@ -58,6 +68,9 @@ std::vector<FreeValue> free_values(const RobotModel& model);
 
 /// How the base hung: two angles.
 std::vector<FreeValue> base_values();
+
+/// What is to be found of the joints' controllers: gains, and one delay.
+std::vector<FreeValue> controller_values(const RobotModel& model);
 
 /// Mass and centre of mass of the body that each joint carries.
 std::vector<FreeValue> body_values(const RobotModel& model);

@@ -63,7 +63,7 @@ Limb limb_of(const Load& load, std::size_t root, std::vector<std::size_t> joints
 RobotModel robot_model(const Rig& rig, const std::vector<const actuator::Actuator*>& drives) {
   RobotModel model{rig.load, {}, {}, std::vector<double>(drives.size(), 0.0)};
   for (const auto& each : rig.controllers) {
-    model.laws.push_back(each.value_or(actuator::PositionLaw()));
+    model.controllers.push_back(each.value_or(JointController()));
   }
   for (const actuator::Actuator* each : drives) model.drives.push_back(*each);
   return model;

@@ -13,7 +13,7 @@ namespace torquewright::identification {
 struct RobotModel {
   Load load;
   std::vector<actuator::Actuator> drives;
-  std::vector<actuator::PositionLaw> laws;  ///< Of the joints' own controllers.
+  std::vector<JointController> controllers;  ///< Of the joints, in their order.
   /// By joint, what its encoder reads too little: the joint stands at reading + offset.
   std::vector<double> offset_rad;
 };

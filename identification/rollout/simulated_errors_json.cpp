@@ -18,13 +18,13 @@ ordered_json rms_or_null(const RolloutError& error) {
   return error.all_rad;
 }
 
+}  // namespace
+
 ordered_json errors_json(const Rollout& rollout) {
   return {{"train_rms", rms_or_null(rollout.train)},
           {"holdout_rms", rms_or_null(rollout.holdout)},
           {"diverged", rollout.train.diverged + rollout.holdout.diverged}};
 }
-
-}  // namespace
 
 ordered_json simulated_json(const SimulatedErrors& errors) {
   const bool is_refined = errors.is_refined;

@@ -110,8 +110,8 @@ class Fit {
   static std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
   bool is_in(const Limb& limb, const FreeValue& value) const {
-    return value.is_of_all() ||
-           std::find(limb.joints.begin(), limb.joints.end(), value.joint) != limb.joints.end();
+    return std::any_of(limb.joints.begin(), limb.joints.end(),
+                       [&](std::size_t joint) { return value.is_of(joint); });
   }
 
   RobotModel with(const VectorXd& values) const {
@@ -276,7 +276,8 @@ class Fit {
     fit_.covariance = sizes.asDiagonal() * spread * sizes.asDiagonal();
     for (Index k = 0; k < count_; ++k) {
       const FreeValue& which = free_[at(k)];
-      FittedValue value{which, stated_[k], values[k], std::sqrt(fit_.covariance(k, k)), false};
+      FittedValue value{which, stated_[k], values[k], std::sqrt(fit_.covariance(k, k)),
+                        false, false};
       value.is_at_bound = values[k] <= which.lowest || values[k] >= which.highest;
       fit_.values.push_back(value);
     }
@@ -302,7 +303,7 @@ bool FittedValue::is_told() const {
   const bool is_bounded = std::isfinite(which.deviation);
   const double most =
       is_bounded ? kToldShare * which.deviation : std::max(std::abs(value), which.size);
-  return !is_at_bound && standard_error < most;
+  return !is_at_bound && !is_traded && standard_error < most;
 }
 
 ValueFit fit_values(const Log& log, const RobotModel& stated, const std::vector<FreeValue>& free,

@@ -18,6 +18,7 @@ struct FittedValue {
   double value = 0.0;
   double standard_error = 0.0;  ///< Of the value, all others being as free.
   bool is_at_bound = false;     ///< Nothing is known but that it is not beyond.
+  bool is_traded = false;       ///< Another value stands for it (trade_offs.hpp).
 
   /// Whether the motion says more of it than was known before; where nothing was, its error has to
   /// be less than itself, or than a change that shows.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "identification/log/delayed.hpp"
+
 namespace torquewright::identification {
 namespace {
 
@@ -71,8 +73,10 @@ simulation::Excitation excitation_of(const RobotModel& model, const Limb& limb, 
   for (const std::size_t joint : limb.joints) {
     simulation::JointDrive drive;
     drive.kind = simulation::DriveKind::kPositionLaw;
-    drive.law = model.laws[joint];
-    drive.value = cut_out(run.joints[joint][Quantity::kCommandedPosition]);
+    const JointController& controller = model.controllers[joint];
+    drive.law = controller.law;
+    const std::vector<double>& command = run.joints[joint][Quantity::kCommandedPosition];
+    drive.value = cut_out(delayed(run.time_s, command, controller.delay_s));
     for (double& each : drive.value) each += model.offset_rad[joint];
     excitation.joints.push_back(std::move(drive));
   }

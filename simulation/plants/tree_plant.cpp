@@ -2,6 +2,7 @@
 #include "simulation/plants/tree_plant.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -47,6 +48,10 @@ void TreePlant::set(const VectorXd& position_rad, const VectorXd& speed_rad_s) {
 }
 
 void TreePlant::mass_matrix(const VectorXd& position_rad, MatrixXd& mass_kg_m2) {
+  if (!position_rad.allFinite()) {
+    mass_kg_m2.setIdentity();
+    return;
+  }
   set(position_rad, still_);
   dynamics::mass_matrix(state_, mass_);
   for (Index i = 0; i < joint_count(); ++i) {
@@ -59,6 +64,10 @@ void TreePlant::mass_matrix(const VectorXd& position_rad, MatrixXd& mass_kg_m2) 
 
 void TreePlant::bias(const VectorXd& position_rad, const VectorXd& speed_rad_s,
                      VectorXd& torque_Nm) {
+  if (!position_rad.allFinite() || !speed_rad_s.allFinite()) {
+    torque_Nm.setConstant(std::numeric_limits<double>::quiet_NaN());
+    return;
+  }
   set(position_rad, speed_rad_s);
   dynamics::bias(state_, force_);
   for (Index i = 0; i < joint_count(); ++i)
@@ -66,6 +75,9 @@ void TreePlant::bias(const VectorXd& position_rad, const VectorXd& speed_rad_s,
 }
 
 double TreePlant::energy_J(const VectorXd& position_rad, const VectorXd& speed_rad_s) {
+  if (!position_rad.allFinite() || !speed_rad_s.allFinite()) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   set(position_rad, speed_rad_s);
   return dynamics::kinetic_energy_J(state_) + dynamics::potential_energy_J(state_);
 }

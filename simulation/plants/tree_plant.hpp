@@ -9,7 +9,8 @@
 namespace torquewright::simulation {
 
 /// Bodies and joints on a fixed base, some of whose joints are moved; the others are held where
-/// they stand.
+/// they stand. Where a motion grew without bound forces and energy are no numbers either, so that a
+/// simulation of it ends as any other does.
 class TreePlant : public Plant {
  public:
   /// `bodies`: those that the moved joints carry, in the plant's order. `positions` (n x 1 of the

@@ -154,7 +154,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"selection", {"log", "signals", "preparation", "findings", "forward"}},
       {"replay", {"simulated", "preparation", "findings", "forward"}},
       {"rollout", {"rig", "log", "simulated", "findings", "selection"}},
-      {"robot", {"rollout"}},
+      {"robot", {"rig", "log", "reading", "simulated", "rollout"}},
       {"experiment", {"rig", "simulated", "signals", "preparation", "findings", "forward"}},
       {"answer",
        {"log", "reading", "signals", "preparation", "findings", "forward", "selection",

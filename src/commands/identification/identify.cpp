@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,12 +12,14 @@
 
 #include "identification/forward/candidates.hpp"
 #include "identification/outputs/output.hpp"
+#include "identification/robot/robot_output.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/text/one_line.hpp"
 #include "src/commands/identification/identify_commands.hpp"
 #include "src/commands/identification/identify_inputs.hpp"
 #include "src/commands/identification/identify_json.hpp"
 #include "src/commands/identification/refined_actuators.hpp"
+#include "src/commands/identification/refined_robot.hpp"
 #include "src/commands/identification/simulated_robot.hpp"
 #include "src/interrupt.hpp"
 #include "src/options/output_files.hpp"
@@ -40,6 +43,7 @@ struct IdentifyFound {
   std::vector<report::RegionSection> regions;  ///< For the page, where one was asked for.
   /// Of a robot whose controllers' laws are stated.
   std::optional<report::RobotReport> robot;
+  std::optional<RefinedRobot> refined_robot;
 };
 
 Identification identification_of(const IdentifyRequest& request, const IdentifyInputs& inputs) {
@@ -93,8 +97,13 @@ IdentifyInputs read(const IdentifyRequest& request) {
   require_names("--only", request.only);
   require_names("--without", request.without);
   require_no_contradiction(request);
-  if (!request.as.empty()) (void)identification::output_of(request.as);
+  const bool is_of_robot = identification::find_robot_output(request.as) != nullptr;
+  if (!request.as.empty() && !is_of_robot) (void)identification::output_of(request.as);
   IdentifyInputs inputs = read_inputs(request);
+  if (is_of_robot && inputs.rig.load.type != identification::LoadType::kRobot) {
+    command_line::refuse(fmt::format(
+        "--as {}: writes a robot; allowed where the rig's \"load\" is one", request.as));
+  }
   require_page("--report", request.report_file);
   if (!request.report_file.empty()) report::require_gnuplot("--report");  // refuse early
   return inputs;
@@ -102,14 +111,23 @@ IdentifyInputs read(const IdentifyRequest& request) {
 
 IdentifyFound compute(const IdentifyRequest& request, const IdentifyInputs& inputs) {
   IdentifyFound found;
-  found.identification = identification_of(request, inputs);
-  found.refined = refined_actuators(inputs, found.identification);
+  std::optional<identification::RobotStudy> study = study_of_gains(request, inputs);
+  IdentifyInputs known = inputs;
+  if (study) {
+    const auto& controllers = study->fit.model.controllers;
+    known.rig.controllers.assign(controllers.begin(), controllers.end());
+  }
+  found.identification = identification_of(request, known);
+  found.refined = refined_actuators(known, found.identification);
   if (!inputs.refined.empty() || !request.as.empty())
-    judge_as_written(request, inputs, found.identification, found.refined);
+    judge_as_written(request, known, found.identification, found.refined);
   const std::string not_simulated = not_simulated_sentence(inputs);
   if (!not_simulated.empty())
     found.identification.findings.push_back({identification::Weight::kNote, not_simulated});
-  found.robot = simulated_robot(request, inputs, found.identification, found.refined);
+  found.robot =
+      simulated_robot(request, inputs, found.identification, found.refined, std::move(study));
+  if (found.robot)
+    found.refined_robot = refined_robot(request, inputs, found.identification, *found.robot);
   if (!request.report_file.empty()) found.regions = region_sections(inputs, found.refined);
   return found;
 }
@@ -150,6 +168,15 @@ ExitCode exit_code_of(identification::Verdict verdict) {
 
 std::string printed(const IdentifyRequest& request, const IdentifyInputs& inputs,
                     const IdentifyFound& found, const report::IdentificationContext& context) {
+  if (identification::find_robot_output(request.as) != nullptr) {
+    if (!found.refined_robot) {
+      command_line::refuse(
+          fmt::format("--as {}: no value of the robot was fitted by simulation; "
+                      "the report says why (leave --as out)",
+                      request.as));
+    }
+    return robot_output_text(request.as, inputs, *found.refined_robot);
+  }
   if (!request.as.empty()) return output_text(request, inputs, found);
   if (request.json) return identify_json(request, inputs, found.identification, found.robot);
   std::string text = report::identification_text(found.identification, context);
@@ -171,6 +198,11 @@ void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
     context.has_actuator_files.push_back(document.path.empty());
   }
   std::vector<io::FileContent> files = refined_files(inputs, found.refined);
+  if (found.refined_robot) {
+    std::filesystem::create_directories(inputs.refined_folder.empty() ? "."
+                                                                      : inputs.refined_folder);
+    files.insert(files.end(), found.refined_robot->files.begin(), found.refined_robot->files.end());
+  }
   if (!files.empty()) context.refined_files = inputs.refined;
   context.is_fitted_by_simulation = found.robot && found.robot->is_fitted;
   if (found.refined.judged)
@@ -193,7 +225,8 @@ void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
 
 ExitCode run_identify(const IdentifyRequest& asked) {
   const IdentifyRequest request = with_refined(asked);
-  const IdentifyInputs inputs = read(request);
+  IdentifyInputs inputs = read(request);
+  begin_gains(request, inputs);
   const IdentifyFound found = compute(request, inputs);
   write(request, inputs, found);
   // An output is missing, whatever the verdict.
@@ -227,8 +260,10 @@ void add_identify_command(command_line::Command& program) {
       program.add_command("identify", "Is the model true, and if not, which effect is missing?");
   add_log_options(command, *request);
   command
-      .add_option("--refined", request->refined,
-                  "Write the actuator with what was found to this file; JOINT=FILE on a serial arm")
+      .add_option(
+          "--refined", request->refined,
+          "Write the actuator with what was found to this file; JOINT=FILE on a serial arm; of a "
+          "robot a folder gets its document and an actuator for each group of alike joints")
       .names_a_file()
       .one_value_each();
   add_report_document(command, *request,
@@ -259,6 +294,9 @@ void add_identify_command(command_line::Command& program) {
   std::string outputs;
   for (const identification::Output* output : identification::output_library()) {
     outputs += fmt::format("{}{}: {}", outputs.empty() ? "" : "; ", output->name, output->what);
+  }
+  for (const identification::RobotOutput& output : identification::robot_outputs()) {
+    outputs += fmt::format("; {}: {}", output.name, output.what);
   }
   command
       .add_option("--as", request->as,

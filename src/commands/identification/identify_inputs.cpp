@@ -83,6 +83,24 @@ std::vector<std::string> by_joint(const Rig& rig, const std::string& option,
   return files;
 }
 
+/// Takes a robot's folder out of what is to be written: what names no joint.
+std::string taken_folder(std::vector<std::string>& refined) {
+  const auto names_no_joint = [](const std::string& each) {
+    return each.find('=') == std::string::npos;
+  };
+  const auto folder = std::find_if(refined.begin(), refined.end(), names_no_joint);
+  if (folder == refined.end()) return "";
+  const std::string taken = *folder;
+  refined.erase(folder);
+  std::error_code unknown;
+  if (std::filesystem::exists(taken, unknown) && !std::filesystem::is_directory(taken, unknown)) {
+    io::refuse(taken,
+               "is a file; of a robot several are written: name a folder, or JOINT=FILE for one "
+               "actuator");
+  }
+  return taken;
+}
+
 /// What goes through a pipe can be read once, and the refined actuator is tried on the log again.
 void require_plain_logs(const IdentifyRequest& request) {
   if (request.refined.empty() && request.as.empty()) return;
@@ -127,9 +145,10 @@ IdentifyInputs read_inputs(const IdentifyRequest& request) {
   if (!is_robot && request.actuators.empty()) command_line::refuse("--actuator is required");
   const auto files_of = is_robot ? given_by_joint : by_joint;
   const std::vector<std::string> files = files_of(inputs.rig, "--actuator", request.actuators);
-  if (!request.refined.empty()) {
-    inputs.refined =
-        files_of(inputs.rig, request.is_old_spelling ? "-o" : "--refined", request.refined);
+  std::vector<std::string> refined = request.refined;
+  if (is_robot) inputs.refined_folder = taken_folder(refined);
+  if (!refined.empty()) {
+    inputs.refined = files_of(inputs.rig, request.is_old_spelling ? "-o" : "--refined", refined);
   }
   if (is_robot) {
     const std::filesystem::path beside = std::filesystem::path(inputs.rig.file).parent_path();

@@ -18,6 +18,8 @@ struct IdentifyInputs {
   /// Files to be written, of a robot's joints an empty name for those that are not; empty: not
   /// asked for.
   std::vector<std::string> refined;
+  /// Where all that was found of a robot is written; empty: not asked for.
+  std::string refined_folder;
   std::vector<io::Document> robot_documents;  ///< Where the load is a robot: its own, its drives'.
 };
 

@@ -23,6 +23,12 @@ std::string identify_json(const IdentifyRequest& request, const IdentifyInputs& 
     document["simulated"]["after_is_fitted"] = robot->is_fitted;
     identification::add_study(*robot->study, robot->errors.joints, document);
   }
+  if (robot && robot->written.robot)
+    document["simulated"]["written_robot"] =
+        identification::errors_json(robot->written.robot->whole);
+  if (robot && robot->written.groups)
+    document["simulated"]["written_groups"] =
+        identification::errors_json(robot->written.groups->whole);
   if (robot && !robot->disagreements.empty())
     document["simulated"]["disagreements"] = robot->disagreements;
   document["options"] = nlohmann::ordered_json::object();

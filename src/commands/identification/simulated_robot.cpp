@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
 #include <map>
 
 #include "identification/reading/read_log.hpp"
 #include "identification/robot/fitted_actuator_json.hpp"
+#include "identification/rollout/servo_start.hpp"
 #include "io/faults/json_text.hpp"
 #include "io/text/wording.hpp"
 #include "src/commands/identification/identify_json.hpp"
@@ -21,21 +24,22 @@ using identification::RobotErrors;
 using identification::RobotModel;
 using identification::RobotStudy;
 
+using identification::JointController;
+using identification::Log;
+
 constexpr double kWorse = 1.1;  ///< Times an error: less is no difference.
 
-/// As the rig says, or joints that were given the same file.
-std::vector<std::vector<std::size_t>> alike_joints(const IdentifyInputs& inputs) {
-  if (!inputs.rig.alike.empty()) return inputs.rig.alike;
-  std::map<std::string, std::vector<std::size_t>> by_file;
-  for (std::size_t joint = 0; joint < inputs.actuators.size(); ++joint) {
-    const io::Document& document = inputs.actuators[joint].nominal.documents.front();
-    if (document.path.empty()) by_file[document.file].push_back(joint);
-  }
-  std::vector<std::vector<std::size_t>> groups;
-  for (auto& [file, joints] : by_file) {
-    if (joints.size() > 1) groups.push_back(std::move(joints));
-  }
-  return groups;
+Log log_of(const IdentifyRequest& request, const IdentifyInputs& inputs) {
+  return identification::read_log({request.logs.begin(), request.logs.end()}, inputs.rig);
+}
+
+/// Whether gains of a controller are to be found, and, if `is_without`, nothing says where to
+/// begin.
+bool finds_gains(const IdentifyInputs& inputs, bool is_without) {
+  const auto& all = inputs.rig.controllers;
+  return std::any_of(all.begin(), all.end(), [&](const std::optional<JointController>& each) {
+    return each && each->finds_stiffness && !(is_without && each->states_stiffness);
+  });
 }
 
 RobotModel model_of(const IdentifyInputs& inputs, const RefinedActuators* refined) {
@@ -98,7 +102,54 @@ RefinedActuators fitted_actuators(const IdentifyInputs& inputs,
   return fitted;
 }
 
+/// Shows on the terminal how far a part of the work is.
+std::function<void(double)> shown(report::ProgressLine& progress, const char* what) {
+  return [&progress, what](double share) {
+    progress.show(fmt::format("{}: {:.0f} %", what, 100.0 * share));
+  };
+}
+
+RobotStudy study_of(const IdentifyInputs& inputs, const Log& log, report::ProgressLine& progress) {
+  return identification::study_robot(inputs.rig, log, model_of(inputs, nullptr),
+                                     alike_joints(inputs),
+                                     shown(progress, "fitting values by simulation"));
+}
+
 }  // namespace
+
+std::vector<std::vector<std::size_t>> alike_joints(const IdentifyInputs& inputs) {
+  if (!inputs.rig.alike.empty()) return inputs.rig.alike;
+  std::map<std::string, std::vector<std::size_t>> by_file;
+  for (std::size_t joint = 0; joint < inputs.actuators.size(); ++joint) {
+    const io::Document& document = inputs.actuators[joint].nominal.documents.front();
+    if (document.path.empty()) by_file[document.file].push_back(joint);
+  }
+  std::vector<std::vector<std::size_t>> groups;
+  for (auto& [file, joints] : by_file) {
+    if (joints.size() > 1) groups.push_back(std::move(joints));
+  }
+  return groups;
+}
+
+RobotModel stated_model(const IdentifyInputs& inputs) { return model_of(inputs, nullptr); }
+
+void begin_gains(const IdentifyRequest& request, IdentifyInputs& inputs) {
+  if (!identification::can_roll_out(inputs.rig) || !finds_gains(inputs, true)) return;
+  RobotModel model = model_of(inputs, nullptr);
+  identification::add_plain_friction(model);
+  const RobotModel begin = identification::servo_start(log_of(request, inputs), model);
+  inputs.rig.controllers.assign(begin.controllers.begin(), begin.controllers.end());
+}
+
+std::optional<RobotStudy> study_of_gains(const IdentifyRequest& request,
+                                         const IdentifyInputs& inputs) {
+  if (!request.select || !identification::can_roll_out(inputs.rig)) return std::nullopt;
+  if (!finds_gains(inputs, false)) return std::nullopt;
+  report::ProgressLine progress;
+  RobotStudy study = study_of(inputs, log_of(request, inputs), progress);
+  if (study.fit.values.empty()) return std::nullopt;
+  return study;
+}
 
 std::string not_simulated_sentence(const IdentifyInputs& inputs) {
   const identification::Rig& rig = inputs.rig;
@@ -120,30 +171,27 @@ std::string not_simulated_sentence(const IdentifyInputs& inputs) {
 std::optional<report::RobotReport> simulated_robot(const IdentifyRequest& request,
                                                    const IdentifyInputs& inputs,
                                                    const identification::Identification& found,
-                                                   RefinedActuators& refined) {
+                                                   RefinedActuators& refined,
+                                                   std::optional<RobotStudy> study) {
   if (!identification::can_roll_out(inputs.rig)) return std::nullopt;
-  const identification::Log log =
-      identification::read_log({request.logs.begin(), request.logs.end()}, inputs.rig);
+  const Log log = log_of(request, inputs);
   report::ProgressLine progress;
-  const auto show = [&](const char* what) {
-    return [&progress, what](double share) {
-      progress.show(fmt::format("{}: {:.0f} %", what, 100.0 * share));
-    };
-  };
+  const auto show = [&](const char* what) { return shown(progress, what); };
   report::RobotReport robot;
   robot.errors.joints = inputs.rig.joints;
   const RobotModel stated = model_of(inputs, nullptr);
   robot.errors.before =
       identification::robot_errors(log, stated, show("simulating the robot as stated"));
   if (!refined.of_joints.empty()) {
-    robot.errors.after = identification::robot_errors(log, model_of(inputs, &refined),
-                                                      show("simulating the robot as refined"));
+    RobotModel named = model_of(inputs, &refined);
+    if (study) named.controllers = study->fit.model.controllers;
+    robot.errors.after =
+        identification::robot_errors(log, named, show("simulating the robot as refined"));
     robot.errors.is_refined = true;
     robot.disagreements = disagreements_of(inputs, found, robot.errors.before, robot.errors.after);
   }
   if (!request.select) return robot;
-  robot.study = identification::study_robot(inputs.rig, log, stated, alike_joints(inputs),
-                                            show("fitting values by simulation"));
+  robot.study = study ? std::move(*study) : study_of(inputs, log, progress);
   if (robot.study->fit.values.empty()) {
     robot.study.reset();
     return robot;

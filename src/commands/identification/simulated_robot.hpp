@@ -13,6 +13,21 @@ namespace torquewright::cli {
 /// load is no robot.
 std::string not_simulated_sentence(const IdentifyInputs& inputs);
 
+/// Indices of joints with the same hardware, group by group: as the rig says, or joints that were
+/// given the same file.
+std::vector<std::vector<std::size_t>> alike_joints(const IdentifyInputs& inputs);
+
+/// The robot with the actuators as stated.
+identification::RobotModel stated_model(const IdentifyInputs& inputs);
+
+/// Gives controllers whose gain nothing states the one at which a fit of it begins.
+void begin_gains(const IdentifyRequest& request, IdentifyInputs& inputs);
+
+/// The robot's values with the gains of its controllers, where such are to be found: what its
+/// drives gave is known with them only.
+std::optional<identification::RobotStudy> study_of_gains(const IdentifyRequest& request,
+                                                         const IdentifyInputs& inputs);
+
 /// Simulates the rig's robot under its own controllers with the actuators as stated, with what the
 /// balance of torques found, and with values fitted by simulation on the runs that were not held
 /// out. Where these leave the least on the runs that were, they take the place of what was found in
@@ -21,6 +36,7 @@ std::string not_simulated_sentence(const IdentifyInputs& inputs);
 std::optional<report::RobotReport> simulated_robot(const IdentifyRequest& request,
                                                    const IdentifyInputs& inputs,
                                                    const identification::Identification& found,
-                                                   RefinedActuators& refined);
+                                                   RefinedActuators& refined,
+                                                   std::optional<identification::RobotStudy> study);
 
 }  // namespace torquewright::cli

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "identification/robot/robot_study_json.hpp"
+#include "identification/robot/trade_offs.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -81,6 +82,11 @@ std::vector<std::string> robot_findings(const RobotReport& robot) {
       sentences.push_back(identification::sentence_of(number, each, robot.errors.joints));
     }
   }
+  const std::string base = identification::sentence_of(robot.study->base);
+  if (!base.empty()) sentences.push_back(base);
+  for (const identification::TradeOff& each : robot.study->trade_offs) {
+    sentences.push_back(identification::sentence_of(each, robot.errors.joints));
+  }
   for (const identification::LoadError& each : robot.study->load.errors) {
     sentences.push_back(identification::sentence_of(each));
   }
@@ -97,6 +103,11 @@ std::string simulated_text(const RobotReport& robot) {
       : robot.is_fitted  ? ", as stated -> with values fitted by simulation"
                          : ", as stated -> with what was found");
   text += length_lines(errors) + joint_lines(errors) + diverged_text(errors);
+  const auto add_written = [&](const char* what, const std::optional<RobotErrors>& left) {
+    if (left) text += fmt::format("  {:26} {}\n", what, milliradians(judged(left->whole).all_rad));
+  };
+  add_written("the robot as written", robot.written.robot);
+  add_written("one actuator a group", robot.written.groups);
   for (const std::string& each : robot_findings(robot)) text += "  " + each + "\n";
   return text;
 }

@@ -3,13 +3,18 @@
 
 #include <Eigen/LU>
 #include <cmath>
+#include <limits>
 
+#include "identification/reading/robot_commands.hpp"
 #include "identification/rig/joint_actuator_json.hpp"
 #include "identification/robot/alike.hpp"
+#include "identification/robot/base_motion.hpp"
+#include "identification/robot/trade_offs.hpp"
 #include "identification/rollout/rollout.hpp"
 #include "identification/simulated/rig_plant.hpp"
 #include "io/documents/document.hpp"
 #include "simulation/run/simulate.hpp"
+#include "tests/actuator/check/refusal.hpp"
 #include "tests/identification/robot/legs.hpp"
 #include "tests/io/scratch_folder.hpp"
 
@@ -89,6 +94,30 @@ TEST(Limbs, MoveAsTheyDoInTheWholeRobot) {
   }
 }
 
+// A loop that pushes away from its command, by any number that there is: an outcome, no exception
+// and nothing that is no number.
+TEST(Limbs, OfAnUnstableLoopHaveNoErrors) {
+  const Rig rig = two_legs_rig();
+  RobotModel model = model_of_rig(rig);
+  const identification::Run run = moving_run(rig.joints.size());
+  for (JointController& each : model.controllers) {
+    each.law.stiffness_Nm_rad = -1e4;
+    each.law.torque_limit_Nm = std::numeric_limits<double>::infinity();
+  }
+  for (actuator::Actuator& each : model.drives) {
+    each.drive.peak_current_A = each.drive.bus_voltage_V = std::numeric_limits<double>::max();
+  }
+  Log log;
+  log.runs.push_back(run);
+  for (const Limb& limb : limbs_of(rig.load)) {
+    EXPECT_TRUE(limb_errors_rad(model, limb, run, {0, 1, 398}, 2e-3).empty());
+  }
+  const Rollout rollout = roll_out(log, model, {1.0, 0.0, 10, false});
+  EXPECT_GT(rollout.train.diverged, 0u);
+  EXPECT_EQ(rollout.train.diverged, rollout.train.windows);
+  EXPECT_TRUE(fit_values(log, model, free_values(model)).values.empty());
+}
+
 TEST(Limbs, WindowsGoAroundWhatIsMasked) {
   Log log;
   identification::Run run = moving_run(1);
@@ -127,7 +156,7 @@ ValueFit fit_of_friction(const std::vector<double>& friction_Nm) {
     which.name = "coulomb_Nm";
     which.size = 0.1;
     set_value(fit.model, which, friction_Nm[joint]);
-    fit.values.push_back({which, 0.0, friction_Nm[joint], 0.01, false});
+    fit.values.push_back({which, 0.0, friction_Nm[joint], 0.01, false, false});
   }
   return fit;
 }
@@ -161,6 +190,175 @@ TEST(AlikeJoints, NoneIsUnlikeWhereAllDiffer) {
 TEST(AlikeJoints, NoneIsUnlikeWithinItsError) {
   EXPECT_TRUE(unlike_in({1.0, 1.001, 0.999, 1.05}).empty());
   EXPECT_EQ(unlike_in({1.0, 1.001, 0.999, 1.07}).size(), 1u);
+}
+
+/// The log of one joint that moves and one that does not, commands of the first `times` as large.
+Log log_of_commands(const Rig& rig, double times) {
+  Log log;
+  identification::Run run = moving_run(rig.joints.size());
+  for (double& each : run.joints[1][Quantity::kOutputPosition]) each = 0.2 + 1e-3 * each;
+  for (double& each : run.joints[0][Quantity::kCommandedPosition]) each *= times;
+  log.runs.push_back(std::move(run));
+  return log;
+}
+
+TEST(RobotMotion, OfAJointThatNeverMovesIsSaid) {
+  const Rig rig = two_legs_rig();
+  Log log = log_of_commands(rig, 1.0);
+  EXPECT_EQ(moving_joints(rig, log), (std::vector<bool>{true, false, true, true, true, true}));
+  check_robot_motion(rig, log);
+  ASSERT_EQ(log.findings.size(), 1u);
+  EXPECT_EQ(log.findings[0].sentence,
+            "right_hip_joint never moves: what does not move is not judged");
+}
+
+// Just inside and just outside of 1.4 times a degree's radians, about the loop's own 0.95.
+TEST(RobotMotion, CommandsInDegreesAreRefused) {
+  const Rig rig = two_legs_rig();
+  const auto refusal_at = [&](double times) {
+    Log log = log_of_commands(rig, times);
+    return test::refusal([&] { check_robot_motion(rig, log); });
+  };
+  EXPECT_NE(refusal_at(180.0 / 3.141592653589793)
+                .find("commanded_position_rad of left_hip_joint changes 60 times as much as its "
+                      "position: they are degrees; say \"unit\": \"deg\""),
+            std::string::npos)
+      << refusal_at(180.0 / 3.141592653589793);
+  EXPECT_EQ(refusal_at(38.0), "");
+  EXPECT_NE(refusal_at(40.0), "");
+  EXPECT_NE(refusal_at(75.0), "");
+  EXPECT_EQ(refusal_at(79.0), "");
+}
+
+/// Half a minute of two legs whose joints' commands are what their drives need to move so, where
+/// the base sways by this much and drives have another rotor than the model's.
+Log swaying_log(const Rig& rig, const RobotModel& model, double sway_rad, double rotor_error,
+                bool one_leg = false) {
+  const std::size_t joints = rig.joints.size();
+  identification::Run run;
+  for (int i = 0; i < 6000; ++i) run.time_s.push_back(i / kSamplesPer_s);
+  run.masked.assign(run.time_s.size(), 0);
+  run.joints.resize(joints);
+  const auto count = static_cast<Eigen::Index>(joints);
+  for (const double time_s : run.time_s) {
+    Eigen::VectorXd position(count), speed(count), acceleration(count), bias(count);
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const double rate = 2.0 + 0.37 * static_cast<double>(i);
+      const double phase = rate * time_s + static_cast<double>(i);
+      position[i] = 0.5 * std::sin(phase);
+      speed[i] = 0.5 * rate * std::cos(phase);
+      acceleration[i] = -0.5 * rate * rate * std::sin(phase);
+    }
+    Load load = model.load;
+    load.pitch_rad += sway_rad * std::sin(7.3 * time_s);
+    load.roll_rad += sway_rad * std::sin(4.1 * time_s);
+    const auto plant = plant_of(load);
+    Eigen::MatrixXd mass(count, count);
+    plant->mass_matrix(position, mass);
+    plant->bias(position, speed, bias);
+    if (one_leg) {
+      Eigen::VectorXd still(count);
+      plant_of(model.load)->bias(position, speed, still);
+      for (const Eigen::Index right : {1, 3, 5}) bias[right] = still[right];
+    }
+    const Eigen::VectorXd torque = bias + mass * acceleration;
+    for (Eigen::Index i = 0; i < count; ++i) {
+      const auto joint = static_cast<std::size_t>(i);
+      const double rotor = model.drives[joint].motor.rotor_inertia_kg_m2 + rotor_error;
+      const double friction = 0.2 * speed[i] + std::copysign(0.1, speed[i]);
+      const double drive = torque[i] + rotor * acceleration[i] + friction + 0.5 * speed[i];
+      run.joints[joint][Quantity::kOutputPosition].push_back(position[i]);
+      run.joints[joint][Quantity::kCommandedPosition].push_back(position[i] + drive / 20.0);
+    }
+  }
+  Log log;
+  log.runs.push_back(std::move(run));
+  return log;
+}
+
+// Oracle: the sway that was put in; torques of the law's other side, written out above. What a
+// wrong rotor leaves at all joints is no sway.
+TEST(BaseMotion, IsSeenInBothLegs) {
+  const Rig rig = two_legs_rig();
+  const RobotModel model = model_of_rig(rig);
+  const BaseMotion sways = base_motion(swaying_log(rig, model, 0.06, 0.0), model);
+  EXPECT_TRUE(sways.moves()) << sways.correlation << " " << sways.share;
+  // Root mean square of two sinusoids, less what the ridge and the parabola keep.
+  EXPECT_NEAR(sways.tilt_rad, 0.06, 0.02);
+  const BaseMotion held = base_motion(swaying_log(rig, model, 0.0, 0.01), model);
+  EXPECT_FALSE(held.moves()) << held.correlation << " " << held.share << " " << held.tilt_rad;
+  EXPECT_FALSE(base_motion(swaying_log(rig, model, 0.0, 0.0), model).moves());
+  // What pulls at one leg alone is no base.
+  const BaseMotion pulled = base_motion(swaying_log(rig, model, 0.2, 0.0, true), model);
+  EXPECT_GT(pulled.share, 0.3);
+  EXPECT_FALSE(pulled.moves()) << pulled.correlation << " " << pulled.share;
+}
+
+/// A gain of 20 that the log tells to `gain_error`, and a rotor that is 0.002 of it to one in a
+/// hundred: their errors go together.
+ValueFit fit_of_gain(double gain_error) {
+  ValueFit fit;
+  FreeValue gain, rotor;
+  gain.of = FreeValue::Of::kStiffness;
+  gain.name = "controller_stiffness_Nm_rad";
+  rotor.name = "rotor_inertia_kg_m2";
+  rotor.size = 0.01;
+  const double own = 0.04 * 0.01, shared = 0.002 * gain_error;
+  fit.covariance.resize(2, 2);
+  fit.covariance << gain_error * gain_error, 0.002 * gain_error * gain_error,
+      0.002 * gain_error * gain_error, shared * shared + own * own;
+  fit.values = {{gain, 20.0, 20.0, gain_error, false, false},
+                {rotor, 0.04, 0.04, std::hypot(shared, own), false, false}};
+  return fit;
+}
+
+// Oracle: arithmetic of errors that go together. The quotient keeps the part that is the rotor's
+// own, 0.0004/20.
+TEST(TradeOffs, OfAGainThatIsNotToldAreNamedWithTheirRatio) {
+  ValueFit fit = fit_of_gain(8.0);
+  const std::vector<TradeOff> found = find_trade_offs(fit);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].is_scale);
+  ASSERT_EQ(found[0].values.size(), 2u);
+  EXPECT_NEAR(found[0].values[1].ratio, 0.002, 1e-12);
+  EXPECT_NEAR(found[0].values[1].ratio_error, 0.0004 / 20.0, 1e-9);
+  EXPECT_FALSE(fit.values[0].is_told());
+  EXPECT_FALSE(fit.values[1].is_told());
+  const std::string said = sentence_of(found[0], {"wrist"});
+  EXPECT_NE(said.find("wrist: controller_stiffness_Nm_rad (20 ± 8) and rotor_inertia_kg_m2 scale "
+                      "together"),
+            std::string::npos)
+      << said;
+}
+
+// Just inside and just outside of a tenth of the gain.
+TEST(TradeOffs, AGainThatIsToldHasNone) {
+  ValueFit told = fit_of_gain(1.99);
+  EXPECT_TRUE(find_trade_offs(told).empty());
+  EXPECT_TRUE(told.values[1].is_told());
+  ValueFit open = fit_of_gain(2.01);
+  EXPECT_EQ(find_trade_offs(open).size(), 1u);
+}
+
+// Oracle: the groups, counted by hand.
+TEST(FreeValues, OfAlikeJointsAreOne) {
+  const Rig rig = two_legs_rig();
+  const RobotModel model = model_of_rig(rig);
+  std::vector<FreeValue> values = free_values(model);
+  EXPECT_EQ(values.size(), 24u);  // rotor, viscous, Coulomb, encoder of six joints
+  tie({{4, 5}}, values);
+  EXPECT_EQ(values.size(), 21u);  // encoders stay their own
+  const auto rotor = std::find_if(values.begin(), values.end(), [](const FreeValue& each) {
+    return each.of == FreeValue::Of::kRotor && each.joint == 4;
+  });
+  ASSERT_NE(rotor, values.end());
+  RobotModel changed = model;
+  set_value(changed, *rotor, 0.07);
+  EXPECT_EQ(changed.drives[4].motor.rotor_inertia_kg_m2, 0.07);
+  EXPECT_EQ(changed.drives[5].motor.rotor_inertia_kg_m2, 0.07);
+  EXPECT_EQ(changed.drives[3].motor.rotor_inertia_kg_m2, 0.01);
+  EXPECT_TRUE(rotor->is_of(5));
+  EXPECT_FALSE(rotor->is_of(3));
 }
 
 }  // namespace

@@ -14,9 +14,13 @@
 #include "identification/answer/parameters_json.hpp"
 #include "identification/reading/read_log.hpp"
 #include "identification/rig/joint_actuator_json.hpp"
+#include "identification/robot/fitted_robot_json.hpp"
+#include "identification/robot/robot_output.hpp"
 #include "identification/robot/robot_study.hpp"
 #include "identification/rollout/rollout.hpp"
+#include "identification/rollout/servo_start.hpp"
 #include "io/documents/document.hpp"
+#include "robot/model/robot_spec.hpp"
 #include "tests/identification/robot/leg.hpp"
 #include "tests/io/scratch_folder.hpp"
 
@@ -218,6 +222,38 @@ TEST(RobotValues, AreThoseOfTheEnginesLeg) {
   EXPECT_TRUE(study.load.errors.empty()) << sentence_of(study.load.errors.front());
 }
 
+// Oracle: MuJoCo's leg under gains of 20 Nm/rad, which the rig does not state. Each joint lifts
+// what hangs on it, so that the scale is told.
+TEST(RobotValues, GainsOfAServoAreFoundWhereTheJointsLift) {
+  const std::vector<LegJoint> truth = {{0.018, 0.35, 0.05}, {0.025, 0.1, 0.25}, {0.035, 0.3, 0.3}};
+  Read read = read_leg(kStated, truth);
+  for (JointController& each : read.model.controllers) {
+    each.law.stiffness_Nm_rad = 0.0;
+    each.finds_stiffness = each.finds_delay = true;
+    each.states_stiffness = false;
+  }
+  add_plain_friction(read.model);
+  ValueFitOptions options;
+  options.begin = servo_start(read.log, read.model);
+  // The parabola of 0.1 s flattens what is quick: a start, no more.
+  EXPECT_NEAR(options.begin->controllers[1].law.stiffness_Nm_rad, 20.0, 3.0);
+  read.model.controllers = options.begin->controllers;
+  options.most_simulated_s = 10.0;
+  std::vector<FreeValue> values = free_values(read.model);
+  std::erase_if(values, [](const FreeValue& each) { return each.of == FreeValue::Of::kOffset; });
+  for (const FreeValue& each : controller_values(read.model)) values.push_back(each);
+  const ValueFit fit = fit_values(read.log, read.model, values, options);
+  EXPECT_LT(fit.rms_after_rad, 1e-3);
+  for (std::size_t joint = 0; joint < 3; ++joint) {
+    const FittedValue& gain = fitted(fit, joint, "controller_stiffness_Nm_rad");
+    EXPECT_NEAR(gain.value, 20.0, 4.0 * gain.standard_error + 0.5) << joint;
+    EXPECT_TRUE(gain.is_told()) << joint;
+    const FittedValue& rotor = fitted(fit, joint, "rotor_inertia_kg_m2");
+    EXPECT_NEAR(rotor.value, truth[joint].armature_kg_m2, 4.0 * rotor.standard_error + 2e-3);
+  }
+  EXPECT_NEAR(fitted(fit, 0, "command_delay_s").value, 0.0, 1e-3);
+}
+
 // Oracle: MuJoCo's leg, whose calf alone has dry friction that rises as it folds.
 TEST(RobotValues, FrictionThatRisesWithTheAngleIsFoundAtItsJoint) {
   const std::vector<LegJoint> truth = {kStated[0], kStated[1], {0.02, 0.2, 0.3}};
@@ -260,6 +296,86 @@ TEST(RobotLog, IsFollowedByTheSimulationUnderTheJointsOwnLaws) {
   const Rollout wrong = errors(kStated, truth);
   EXPECT_GT(wrong.holdout.by_joint_rad[2], 5.0 * right.holdout.by_joint_rad[2]);
   EXPECT_LT(wrong.holdout.by_joint_rad[0], 2e-3);
+}
+
+/// Positions of MuJoCo's joints less the log's, in a file that holds the loops, over the whole run;
+/// the first half second does not count.
+double left_in_engine_rad(const std::string& mjcf, const Run& run) {
+  const test::ScratchFolder folder;
+  std::array<char, 1000> error{};
+  const std::string file = folder.write("leg.xml", mjcf).string();
+  const std::unique_ptr<mjModel, Deleter> model(
+      mj_loadXML(file.c_str(), nullptr, error.data(), error.size()));
+  if (!model) throw std::runtime_error(error.data());
+  const std::unique_ptr<mjData, Deleter> data(mj_makeData(model.get()));
+  const auto position = [&](std::size_t joint, std::size_t sample) {
+    return run.joints[joint][Quantity::kOutputPosition][sample];
+  };
+  for (std::size_t i = 0; i < 3; ++i) {
+    data->qpos[i] = position(i, 1);
+    data->qvel[i] = (position(i, 2) - position(i, 0)) / (run.time_s[2] - run.time_s[0]);
+  }
+  double squares = 0.0, count = 0.0;
+  std::size_t sample = 1;
+  while (sample + 2 < run.time_s.size()) {
+    const double now_s = run.time_s[1] + data->time;
+    while (sample + 2 < run.time_s.size() && run.time_s[sample + 1] <= now_s + 1e-9) {
+      ++sample;
+      if (run.time_s[sample] < run.time_s[1] + 0.5) continue;
+      for (std::size_t i = 0; i < 3; ++i) {
+        squares += std::pow(data->qpos[i] - position(i, sample), 2);
+        ++count;
+      }
+    }
+    const double share =
+        (now_s - run.time_s[sample]) / (run.time_s[sample + 1] - run.time_s[sample]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::vector<double>& command = run.joints[i][Quantity::kCommandedPosition];
+      data->ctrl[i] = command[sample] + share * (command[sample + 1] - command[sample]);
+    }
+    mj_step(model.get(), data.get());
+  }
+  return std::sqrt(squares / count);
+}
+
+// Oracle: MuJoCo. The file that is written for it leaves there what our own simulation of the
+// document, read back, promised: its base is welded as in the log, and friction is soft there.
+TEST(RobotFiles, LeaveInMuJoCoWhatWasPromised) {
+  std::vector<LegJoint> truth = kStated;
+  truth[2].friction_Nm = 0.45;
+  const Read read = read_leg(kStated, truth);
+  const test::ScratchFolder folder;
+  const io::Document nominal =
+      io::read_document(folder.write("leg.json", test::leg_json(kStated).dump()), "robot");
+  RobotModel fitted = read.model;
+  for (const FreeValue& each : free_values(fitted)) {
+    if (each.joint == 2 && each.name == "coulomb_Nm") set_value(fitted, each, 0.3);
+    if (each.joint == 2 && each.of == FreeValue::Of::kRotor) set_value(fitted, each, 0.03);
+  }
+  io::Document document = nominal;
+  document.root = nlohmann::json::parse(fitted_robot(nominal, read.rig, fitted, {}).dump());
+  const hopper::Robot robot = hopper::robot_of(std::move(document)).robot;
+  EXPECT_EQ(robot.tree.bodies[3].joint.passive.dry_friction, 0.3);
+  const RobotModel back = model_of_robot(robot, read.rig, fitted.controllers);
+  const Rollout promised = roll_out(read.log, back, {1e3, 0.5, 10, false});
+  std::string mjcf = find_robot_output("mujoco")->write(
+      {robot, read.rig.load.robot->bodies, back.controllers, {"a line"}});
+  const std::string free = "<freejoint/>";
+  ASSERT_NE(mjcf.find(free), std::string::npos) << mjcf;
+  mjcf.erase(mjcf.find(free), free.size());
+  ASSERT_EQ(read.log.runs.size(), 2u);
+  const double train_rad = left_in_engine_rad(mjcf, read.log.runs[0]);
+  EXPECT_GT(promised.train.all_rad, 2e-3);
+  EXPECT_NEAR(train_rad, promised.train.all_rad, 0.05 * promised.train.all_rad);
+  const double holdout_rad = left_in_engine_rad(mjcf, read.log.runs[1]);
+  EXPECT_NEAR(holdout_rad, promised.holdout.all_rad, 0.05 * promised.holdout.all_rad);
+  for (const RobotOutput& each : robot_outputs()) {
+    const std::string text =
+        each.write({robot, read.rig.load.robot->bodies, back.controllers, {"a line"}});
+    EXPECT_NE(text.find("a line"), std::string::npos) << each.name;
+    EXPECT_NE(text.find("0.03"), std::string::npos) << each.name;
+    EXPECT_NE(text.find("calf_joint"), std::string::npos) << each.name;
+  }
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <map>
 
+#include "identification/log/delayed.hpp"
 #include "identification/rig/joint_actuator_json.hpp"
 #include "identification/rig/rig.hpp"
 #include "io/documents/document.hpp"
@@ -57,7 +58,7 @@ TEST(RobotRig, HasTheJointsOfTheRobotInItsOrder) {
   const Rig rig = read(test::leg_rig_json());
   EXPECT_EQ(rig.joints, test::kLegJoints);
   ASSERT_EQ(rig.controllers.size(), 3u);
-  EXPECT_EQ(rig.controllers[2]->stiffness_Nm_rad, 20.0);
+  EXPECT_EQ(rig.controllers[2]->law.stiffness_Nm_rad, 20.0);
   EXPECT_EQ(rig.load.robot->bodies, (std::vector<std::size_t>{1, 2, 3}));
   // What the drives do is theirs: the load is bodies alone.
   EXPECT_EQ(rig.load.robot->tree.bodies[3].joint.reflected_inertia, 0.0);
@@ -69,9 +70,43 @@ TEST(RobotRig, TakesTheLawOfAPatternBeforeTheOneOfAll) {
   json rig = test::leg_rig_json();
   rig["controllers"]["*calf*"] = {{"type", "pd"}, {"stiffness_Nm_rad", 35}};
   const Rig found = read(rig);
-  EXPECT_EQ(found.controllers[0]->stiffness_Nm_rad, 20.0);
-  EXPECT_EQ(found.controllers[2]->stiffness_Nm_rad, 35.0);
-  EXPECT_EQ(found.controllers[2]->damping_Nm_s_rad, 0.0);
+  EXPECT_EQ(found.controllers[0]->law.stiffness_Nm_rad, 20.0);
+  EXPECT_EQ(found.controllers[2]->law.stiffness_Nm_rad, 35.0);
+  EXPECT_EQ(found.controllers[2]->law.damping_Nm_s_rad, 0.0);
+}
+
+TEST(RobotRig, SaysWhatIsToBeFoundOfControllers) {
+  json rig = test::leg_rig_json();
+  rig["controller"]["delay_s"] = 0.01;
+  rig["controllers"]["*calf*"] = {{"type", "position_servo"}};
+  rig["uncertain"] = {"/controller/damping_Nm_s_rad"};
+  const Rig found = read(rig);
+  EXPECT_FALSE(found.controllers[0]->finds_stiffness);
+  EXPECT_TRUE(found.controllers[0]->finds_damping);
+  EXPECT_FALSE(found.controllers[0]->finds_delay);
+  EXPECT_EQ(found.controllers[0]->delay_s, 0.01);
+  EXPECT_TRUE(found.controllers[2]->finds_stiffness);
+  EXPECT_FALSE(found.controllers[2]->states_stiffness);
+  EXPECT_TRUE(found.controllers[2]->finds_delay);
+  rig["uncertain"] = {"/controllers/*calf*/stiffness_Nm"};
+  EXPECT_NE(refusal_of(rig).find("did you mean /controllers/*calf*/stiffness_Nm_rad?"),
+            std::string::npos)
+      << refusal_of(rig);
+  rig.erase("uncertain");
+  rig["controller"].erase("stiffness_Nm_rad");
+  EXPECT_NE(refusal_of(rig).find("/controller/stiffness_Nm_rad: missing; a gain that is not known"),
+            std::string::npos)
+      << refusal_of(rig);
+}
+
+// Oracle: a straight line, late; what was before the first sample is the first.
+TEST(DelayedChannel, IsWhatWasBefore) {
+  const std::vector<double> time_s = {0.0, 0.1, 0.2, 0.4};
+  const std::vector<double> values = {1.0, 2.0, 3.0, 5.0};
+  const std::vector<double> late = delayed(time_s, values, 0.05);
+  const std::vector<double> expected = {1.0, 1.5, 2.5, 4.5};
+  for (std::size_t i = 0; i < late.size(); ++i) EXPECT_NEAR(late[i], expected[i], 1e-12) << i;
+  EXPECT_EQ(delayed(time_s, values, 0.0), values);
 }
 
 TEST(RobotRig, RefusesWhatIsNotTheRobots) {
