@@ -212,18 +212,16 @@ class DemandPass {
 
   void set(Index sample) {
     if (body_.set(motion_.positions.col(sample), motion_.velocities.col(sample))) return;
-    const Drivetrain& drivetrain = robot_.drivetrains[body_.unreached()];
     std::string angles;
     const Index joints = static_cast<Index>(robot_.tree.bodies.size()) - 1;
-    for (const std::size_t joint : drivetrain.joints) {
+    for (const std::size_t joint : body_.unreached().joints) {
       const Index row = motion_.positions.rows() - joints + static_cast<Index>(joint) - 1;
       angles += fmt::format("{}{} at {:.6g} rad", angles.empty() ? "" : ", ",
                             robot_.tree.bodies[joint].joint.name, motion_.positions(row, sample));
     }
-    io::refuse(
-        motion_.file,
-        fmt::format("t = {} s: {}: there the {} mechanism cannot be, or it is singular",
-                    io::time_text(motion_.time_s(sample)), angles, drivetrain.mechanism->type()));
+    io::refuse(motion_.file,
+               fmt::format("t = {} s: {}: there {} cannot be, or it is singular",
+                           io::time_text(motion_.time_s(sample)), angles, body_.unreached().what));
   }
 
   void measure_robot() {

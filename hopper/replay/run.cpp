@@ -78,10 +78,8 @@ class Run {
   /// The robot as the engine has it; ends the run where a mechanism does not reach.
   void place() {
     if (!body_.set(parts_.engine.position(), parts_.engine.velocity())) {
-      const Drivetrain& drivetrain = parts_.robot.drivetrains[body_.unreached()];
       stop(RunEnd::kStopped,
-           fmt::format("the {} mechanism of {} cannot be as the joints stand",
-                       drivetrain.mechanism->type(), drivetrain.actuator_names.front()));
+           fmt::format("{} cannot be as the joints stand", body_.unreached().what));
       return;
     }
     body_.drive_positions(position_);

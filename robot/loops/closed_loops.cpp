@@ -22,6 +22,86 @@ using Eigen::Vector3d;
 constexpr double kLink_kg = 1e-3;
 constexpr double kLink_kg_m2 = 1e-6;
 
+void weigh(dynamics::Body& link) {
+  link.inertia.mass_kg = kLink_kg;
+  link.inertia.inertia_kg_m2 = kLink_kg_m2 * Matrix3d::Identity();
+}
+
+/// Adds a loop's links as they are, all joints of it counted from where the loop starts.
+class LinkAdder {
+ public:
+  explicit LinkAdder(LoopedRobot& looped) : looped_(looped) {}
+
+  /// Where each body of the loop's tree is then.
+  std::vector<std::size_t> add(const ClosedLinks& links, const std::vector<std::size_t>& joints) {
+    const LoopGeometry& geometry = links.geometry();
+    const Eigen::VectorXd home = geometry.start.head(geometry.joints);
+    const Eigen::VectorXd closed =
+        links.follow<double>(home, Eigen::VectorXd::Zero(home.size()))->position;
+    std::vector<std::size_t> place{bodies()[joints.front()].parent};
+    for (std::size_t k = 0; k < joints.size(); ++k) {
+      stand_at(joints[k], closed[static_cast<Eigen::Index>(k)]);
+      place.push_back(joints[k]);
+    }
+    const std::size_t first = bodies().size();
+    for (std::size_t i = place.size(); i < geometry.tree.bodies.size(); ++i) {
+      dynamics::Body link = geometry.tree.bodies[i];
+      link.parent = place[link.parent];
+      begin_at(closed[static_cast<Eigen::Index>(i) - 1], link.joint);
+      place.push_back(bodies().size());
+      bodies().push_back(std::move(link));
+    }
+    for (std::size_t i = first; i < bodies().size(); ++i) {
+      if (bodies()[i].inertia.mass_kg > 0 || carries_another(i)) continue;
+      weigh(bodies()[i]);
+      makes_weight_ = true;
+    }
+    for (const LoopClosure& closure : geometry.closures) {
+      looped_.pins.push_back({place[closure[0].body], place[closure[1].body], closure[0].p_B_m});
+    }
+    return place;
+  }
+
+  /// Whether links weigh something because MuJoCo asks for it.
+  bool makes_weight() const { return makes_weight_; }
+
+ private:
+  std::vector<dynamics::Body>& bodies() { return looped_.robot.tree.bodies; }
+
+  bool carries_another(std::size_t body) {
+    const auto& all = bodies();
+    return std::any_of(all.begin() + 1, all.end(),
+                       [&](const dynamics::Body& other) { return other.parent == body; });
+  }
+
+  static void turn_to(double position, dynamics::Joint& joint) {
+    if (joint.kind == dynamics::JointKind::kRevolute) {
+      joint.R_PB = joint.R_PB * Eigen::AngleAxisd(position, joint.axis).toRotationMatrix();
+    } else {
+      joint.p_PB_m += joint.R_PB * joint.axis * position;
+    }
+  }
+
+  /// One of the robot's own, which still counts its position as before; once, where loops share it.
+  void stand_at(std::size_t body, double position) {
+    looped_.references.resize(bodies().size(), 0.0);
+    if (position == 0 || looped_.references[body] != 0) return;
+    looped_.references[body] = position;
+    turn_to(position, bodies()[body].joint);
+  }
+
+  /// Counts a joint's position from there.
+  static void begin_at(double position, dynamics::Joint& joint) {
+    turn_to(position, joint);
+    joint.limits.position_min -= position;
+    joint.limits.position_max -= position;
+    joint.passive.rest_position -= position;
+  }
+
+  LoopedRobot& looped_;
+  bool makes_weight_ = false;
+};
+
 class LoopCloser {
  public:
   LoopCloser(LoopedRobot& looped, const Drivetrain& drivetrain)
@@ -29,6 +109,10 @@ class LoopCloser {
 
   /// False, and nothing done, where the mechanism has no linkage or does not reach zero.
   bool close() {
+    if (const auto* loop = dynamic_cast<const Loop*>(drivetrain_.mechanism.get())) {
+      close_loop(*loop);
+      return true;
+    }
     const auto count = static_cast<Eigen::Index>(drivetrain_.joints.size());
     const SmallVector rest = SmallVector::Zero(count);
     const auto transfer = drivetrain_.mechanism->transfer(rest, rest);
@@ -41,8 +125,6 @@ class LoopCloser {
       for (std::size_t i = 0; i < 2; ++i) {
         close_rod(ankle->geometry().rods[i], i, start_rad[static_cast<Eigen::Index>(i)]);
       }
-    } else if (const auto* loop = dynamic_cast<const Loop*>(drivetrain_.mechanism.get())) {
-      close_loop(*loop, loop->follow<double>(rest, rest)->position);
     } else {
       return false;
     }
@@ -65,14 +147,9 @@ class LoopCloser {
     link.joint.p_PB_m = place_m;
     link.joint.axis = axis;
     weigh(link);
+    makes_weight_ = true;
     bodies().push_back(std::move(link));
     return bodies().size() - 1;
-  }
-
-  void weigh(dynamics::Body& link) {
-    link.inertia.mass_kg = kLink_kg;
-    link.inertia.inertia_kg_m2 = kLink_kg_m2 * Matrix3d::Identity();
-    makes_weight_ = true;
   }
 
   /// Its drive turns it alone; the rotor is its own.
@@ -145,50 +222,16 @@ class LoopCloser {
     drive(crank, index, rotor_of(index));
   }
 
-  /// Its links as they are, their joints at zero where the robot's are.
-  void close_loop(const Loop& loop, const Eigen::VectorXd& at_zero) {
-    const LoopGeometry& geometry = loop.geometry();
-    std::vector<std::size_t> place{bodies()[drivetrain_.joints.front()].parent};
-    place.insert(place.end(), drivetrain_.joints.begin(), drivetrain_.joints.end());
-    for (std::size_t i = place.size(); i < geometry.tree.bodies.size(); ++i) {
-      dynamics::Body link = geometry.tree.bodies[i];
-      link.parent = place[link.parent];
-      begin_at(at_zero[static_cast<Eigen::Index>(i) - 1], link.joint);
-      place.push_back(bodies().size());
-      bodies().push_back(std::move(link));
+  /// Rotors of own joints that drives turn stand in these joints already.
+  void close_loop(const Loop& loop) {
+    LinkAdder adder(looped_);
+    const std::vector<std::size_t> place = adder.add(loop.links(), drivetrain_.joints);
+    makes_weight_ = makes_weight_ || adder.makes_weight();
+    const std::vector<std::size_t>& turned = loop.geometry().turned;
+    for (std::size_t i = 0; i < turned.size(); ++i) {
+      const std::size_t body = place[turned[i]];
+      drive(body, i, bodies()[body].joint.reflected_inertia + rotor_of(i));
     }
-    for (std::size_t i = place.size() - static_cast<std::size_t>(geometry.links());
-         i < place.size(); ++i) {
-      if (bodies()[place[i]].inertia.mass_kg == 0 && !carries_another(place[i])) {
-        weigh(bodies()[place[i]]);
-      }
-    }
-    for (const LoopClosure& closure : geometry.closures) {
-      looped_.pins.push_back({place[closure[0].body], place[closure[1].body], closure[0].p_B_m});
-    }
-    for (std::size_t i = 0; i < geometry.turned.size(); ++i) {
-      const std::size_t turned = place[geometry.turned[i]];
-      const double own_kg_m2 = bodies()[turned].joint.reflected_inertia;
-      drive(turned, i, own_kg_m2 + rotor_of(i));
-    }
-  }
-
-  bool carries_another(std::size_t body) {
-    const auto& all = bodies();
-    return std::any_of(all.begin() + 1, all.end(),
-                       [&](const dynamics::Body& other) { return other.parent == body; });
-  }
-
-  /// Counts a joint's position from there.
-  static void begin_at(double position, dynamics::Joint& joint) {
-    if (joint.kind == dynamics::JointKind::kRevolute) {
-      joint.R_PB = joint.R_PB * Eigen::AngleAxisd(position, joint.axis).toRotationMatrix();
-    } else {
-      joint.p_PB_m += joint.R_PB * joint.axis * position;
-    }
-    joint.limits.position_min -= position;
-    joint.limits.position_max -= position;
-    joint.passive.rest_position -= position;
   }
 
   LoopedRobot& looped_;
@@ -204,8 +247,9 @@ bool is_linkage(const Mechanism& mechanism) {
 }  // namespace
 
 LoopedRobot with_closed_loops(const Robot& robot, std::vector<std::string>& notes) {
-  LoopedRobot looped{robot, {}};
+  LoopedRobot looped{robot, {}, {}};
   looped.robot.drivetrains.clear();
+  looped.robot.followers.clear();
   bool has_made_links = false;
   for (const Drivetrain& drivetrain : robot.drivetrains) {
     LoopCloser closer(looped, drivetrain);
@@ -218,6 +262,12 @@ LoopedRobot with_closed_loops(const Robot& robot, std::vector<std::string>& note
     notes.push_back(fmt::format("the linkage of {} is not held: it does not reach zero",
                                 fmt::join(drivetrain.actuator_names, ", ")));
   }
+  for (const Follower& follower : robot.followers) {
+    LinkAdder adder(looped);
+    adder.add(*follower.links, follower.joints);
+    has_made_links = has_made_links || adder.makes_weight();
+  }
+  looped.references.resize(looped.robot.tree.bodies.size(), 0.0);
   if (has_made_links) {
     notes.push_back(fmt::format(
         "cranks and rods weigh {} kg each, for MuJoCo holds none without mass; they stand at zero "

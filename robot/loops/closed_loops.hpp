@@ -19,7 +19,11 @@ struct LoopPin {
 /// the pins that close their loops. Its drives turn the cranks.
 struct LoopedRobot {
   Robot robot;
-  std::vector<LoopPin> pins;  ///< They hold where all joints, cranks' and rods' too, are at zero.
+  /// They hold where all joints, cranks' and rods' too, are at their references.
+  std::vector<LoopPin> pins;
+  /// By body, of its joint: where it stands in the posture that the tree's frames show. Not zero
+  /// where a loop's joint cannot stand at zero: such a tree is for a file with `ref` alone.
+  std::vector<double> references;
 };
 
 /// Cranks and rods follow the robot's own bodies. They weigh next to nothing, which a note says; a

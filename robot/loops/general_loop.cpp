@@ -8,11 +8,17 @@
 #include <optional>
 #include <set>
 
+#include "robot/loops/loop_assembly.hpp"
+#include "robot/loops/rod_hinges.hpp"
+
 namespace torquewright::hopper {
 namespace {
 
 using Eigen::Index;
+using Eigen::VectorXd;
 using Indices = std::vector<std::size_t>;
+
+constexpr std::size_t kMostFollowed = 4;  // as documents may name
 
 bool holds_index(const Indices& list, std::size_t index) {
   return std::find(list.begin(), list.end(), index) != list.end();
@@ -54,16 +60,20 @@ class LoopMaker {
   std::variant<GeneralLoop, std::string> make() {
     if (std::string why = objection(); !why.empty()) return why;
     const std::vector<Indices> sets = candidates();
-    if (sets.empty()) {
-      return fmt::format("of its joints {} more carry other bodies than drives turn", names(all_));
+    std::string why;
+    if (!sets.empty()) {
+      why = keep(sets.front(), false);
+      if (why.empty()) return loop_;
     }
-    loop_.joints = sets.front();
-    for (const std::size_t index : all_) {
-      if (!holds_index(loop_.joints, index)) loop_.links.push_back(index);
+    const Indices held = carriers_and_driven();
+    if (held.empty() || held.size() > kMostFollowed || held.size() == all_.size()) {
+      if (!why.empty()) return why;
+      return fmt::format("of its joints {} {} carry other bodies or are driven", names(all_),
+                         held.empty() ? "none" : "too many");
     }
-    const std::string why = close();
-    if (why.empty()) return loop_;
-    return fmt::format("with {} the robot's own, {}", names(loop_.joints), why);
+    std::string why_no_follower = keep(held, true);
+    if (why_no_follower.empty()) return loop_;
+    return why.empty() ? why_no_follower : why;
   }
 
  private:
@@ -93,12 +103,28 @@ class LoopMaker {
       }
       ground_ = parent;
     }
-    if (loop_.turned.empty()) return fmt::format("no actuator turns any of {}", names(all_));
-    if (loop_.turned.size() > kMostJoints) {
-      return fmt::format("{} of its joints are driven, {}; at most {} may be", loop_.turned.size(),
-                         names(loop_.turned), kMostJoints);
-    }
     return "";
+  }
+
+  /// Of these joints the robot's own, all others links: why not, or empty.
+  std::string keep(const Indices& own, bool follows) {
+    loop_.joints = own;
+    loop_.links.clear();
+    for (const std::size_t index : all_) {
+      if (!holds_index(own, index)) loop_.links.push_back(index);
+    }
+    const std::string why = close(follows);
+    return why.empty() ? "" : fmt::format("with {} the robot's own, {}", names(own), why);
+  }
+
+  /// What carries other bodies than links or is driven, with what it hangs on.
+  Indices carriers_and_driven() const {
+    std::set<std::size_t> held;
+    for (const std::size_t index : all_) {
+      if (!carries_others(index) && !holds_index(loop_.turned, index)) continue;
+      for (std::size_t i = index; holds_index(all_, i); i = draft_[i].body.parent) held.insert(i);
+    }
+    return {held.begin(), held.end()};
   }
 
   bool carries_others(std::size_t index) const {
@@ -171,6 +197,18 @@ class LoopMaker {
     return 1 + loop_.joints.size() + static_cast<std::size_t>(link - loop_.links.begin());
   }
 
+  /// The first hinge of each ball of which all three are links, in the loop's tree.
+  std::vector<std::size_t> balls() const {
+    std::vector<std::size_t> balls;
+    const Indices& links = loop_.links;
+    for (std::size_t i = 0; i + 2 < links.size(); ++i) {
+      const Element* ball = draft_[links[i]].ball;
+      const bool is_first = ball != nullptr && (i == 0 || draft_[links[i - 1]].ball != ball);
+      if (is_first && draft_[links[i + 2]].ball == ball) balls.push_back(place_of(links[i]));
+    }
+    return balls;
+  }
+
   LoopGeometry geometry() const {
     LoopGeometry geometry;
     geometry.joints = static_cast<Index>(loop_.joints.size());
@@ -201,30 +239,44 @@ class LoopMaker {
           {dynamics::BodyPoint{place_of(connect.ends[0].body), connect.ends[0].p_B_m},
            dynamics::BodyPoint{place_of(connect.ends[1].body), connect.ends[1].p_B_m}});
     }
-    for (const std::size_t index : loop_.turned) geometry.turned.push_back(place_of(index));
+    turn_rod_hinges(balls(), geometry);
     return geometry;
   }
 
-  /// Why it does not work; empty if it does. From the file's posture to where the robot's joints
-  /// are nearest to zero, where documents let it start.
-  std::string close() {
+  /// Why it does not work; empty if it does. From where the file puts its bodies, or else where the
+  /// loop is found assembled, to where the robot's joints are nearest to zero, where documents let
+  /// it start.
+  std::string close(bool follows) {
     LoopGeometry made = geometry();
-    if (std::string why = Loop::objection(made); !why.empty()) {
-      return fmt::format("as the file puts its bodies, the loop {}", why);
+    for (const std::size_t index : loop_.turned) {
+      if (!follows) made.turned.push_back(place_of(index));
     }
-    SmallVector home(made.joints);
+    VectorXd home(made.joints);
     for (Index k = 0; k < home.size(); ++k) {
       const auto& limits = made.tree.bodies[static_cast<std::size_t>(k) + 1].joint.limits;
       home[k] = std::clamp(0.0, limits.position_min, limits.position_max);
     }
-    const Loop from_file(made);
-    const auto there = from_file.follow<double>(home, SmallVector::Zero(home.size()));
-    if (!there) {
-      return "the loop does not close where its joints are nearest to zero within their ranges";
+    std::optional<VectorXd> at_home;
+    const auto objection_to = [&](const LoopGeometry& loop) -> std::string {
+      if (std::string why = ClosedLinks::objection(loop); !why.empty()) return why;
+      const auto there = ClosedLinks(loop).follow<double>(home, VectorXd::Zero(home.size()));
+      if (!there) {
+        return "does not close where its joints are nearest to zero within their ranges";
+      }
+      LoopGeometry at_zero = loop;
+      at_zero.start = there->position;
+      at_home = there->position;
+      return ClosedLinks::objection(at_zero);
+    };
+    std::string why = objection_to(made);
+    if (!why.empty()) why = assemble(made, objection_to);
+    if (!why.empty()) return "the loop " + why;
+    made.start = *at_home;
+    if (follows) {
+      loop_.follower = std::make_shared<ClosedLinks>(std::move(made));
+    } else {
+      loop_.mechanism = std::make_shared<Loop>(std::move(made));
     }
-    made.start = there->position;
-    if (std::string why = Loop::objection(made); !why.empty()) return "the loop " + why;
-    loop_.mechanism = std::make_shared<Loop>(std::move(made));
     return "";
   }
 

@@ -20,7 +20,12 @@ struct GeneralLoop {
   std::vector<std::size_t> links;
   std::vector<std::size_t> turned;  ///< Of both, those that a drive turns or pushes.
   std::shared_ptr<const Loop> mechanism;
+  /// In its place where drives turn the robot's own joints alone, or none: the links follow.
+  std::shared_ptr<const ClosedLinks> follower;
 
+  const LoopGeometry& geometry() const {
+    return mechanism ? mechanism->geometry() : follower->geometry();
+  }
   bool has_link(std::size_t draft) const {
     return std::find(links.begin(), links.end(), draft) != links.end();
   }
@@ -32,7 +37,8 @@ std::vector<std::vector<Connect>> connected(const std::vector<DraftBody>& draft,
 
 /// The loops as one mechanism, or why they are none, in a sentence. As many joints stay the
 /// robot's own as drives turn joints of the loops: those that carry other bodies, then those that
-/// carry the most. All others are links.
+/// carry the most. All others are links. Where more carry others than drives turn, all of them and
+/// those that are driven stay, and the links follow.
 std::variant<GeneralLoop, std::string> general_loop_of(const std::vector<DraftBody>& draft,
                                                        const std::vector<Connect>& connects,
                                                        const DrivenJoints& driven);

@@ -11,6 +11,7 @@ namespace torquewright::hopper {
 namespace {
 
 constexpr int kRangeSteps = 20;
+constexpr double kLittle = 0.01;  // rad or m, by which every joint must be able to move
 
 }  // namespace
 
@@ -38,6 +39,21 @@ std::string end_within_range(const Loop& loop, const std::vector<dynamics::Joint
   return "";
 }
 
+std::string stuck_joint(const ClosedLinks& links, const std::vector<dynamics::Joint>& joints) {
+  const Eigen::VectorXd home = links.geometry().start.head(links.geometry().joints);
+  for (Eigen::Index k = 0; k < home.size(); ++k) {
+    const dynamics::Joint& joint = joints[static_cast<std::size_t>(k)];
+    const double least = joint.limits.position_min, most = joint.limits.position_max;
+    const double little = std::min(kLittle, (most - least) / kRangeSteps);
+    Eigen::VectorXd at = home;
+    at[k] += home[k] + little <= most ? little : -little;
+    if (links.follow<double>(at, Eigen::VectorXd::Zero(home.size()))) continue;
+    return fmt::format("it holds \"{}\" where it stands, at {:.4g}: the loop opens at {:.4g}",
+                       joint.name, home[k], at[k]);
+  }
+  return "";
+}
+
 std::string drive_of(const std::vector<DraftBody>& draft, const DrivenJoints& driven,
                      std::size_t turned) {
   const std::string& joint = draft[turned].body.joint.name;
@@ -45,16 +61,25 @@ std::string drive_of(const std::vector<DraftBody>& draft, const DrivenJoints& dr
   return drive == driven.end() || drive->second.empty() ? joint : drive->second;
 }
 
-std::shared_ptr<const Loop> KeptLoop::mechanism() const {
-  if (!drops_mass) return loop.mechanism;
-  LoopGeometry geometry = loop.mechanism->geometry();
-  for (dynamics::Body& body : geometry.tree.bodies) body.inertia = {};
-  return std::make_shared<Loop>(std::move(geometry));
+/// Of its links without mass, where that is dropped.
+LoopGeometry KeptLoop::geometry() const {
+  LoopGeometry geometry = loop.geometry();
+  for (dynamics::Body& body : geometry.tree.bodies) {
+    if (drops_mass) body.inertia = {};
+  }
+  return geometry;
+}
+
+Follower KeptLoop::follower(const std::vector<std::size_t>& index) const {
+  Follower follower;
+  follower.links = std::make_shared<ClosedLinks>(geometry());
+  for (const std::size_t joint : loop.joints) follower.joints.push_back(index[joint]);
+  return follower;
 }
 
 Drivetrain KeptLoop::drivetrain(const std::vector<std::size_t>& index) const {
   Drivetrain drivetrain;
-  drivetrain.mechanism = mechanism();
+  drivetrain.mechanism = drops_mass ? std::make_shared<Loop>(geometry()) : loop.mechanism;
   for (const std::size_t joint : loop.joints) drivetrain.joints.push_back(index[joint]);
   drivetrain.rotors_in_tree = false;
   const auto states = [&](std::size_t joint) { return draft[joint].states_rotor; };
@@ -85,11 +110,18 @@ void KeptLoop::add_notes(const std::string& why_kept, std::vector<std::string>& 
       limited.push_back(fmt::format("\"{}\"", joint.name));
     }
   }
-  notes.push_back(fmt::format(
-      "what moves {} is kept as a loop of its own bodies, driven at {}, {} links of {:.4g} kg{}: "
-      "closed by numbers, its links' weight counted; no mechanism of closed form is it: {}",
-      fmt::join(own, " and "), fmt::join(drives, " and "), loop.links.size(), links_kg,
-      drops_mass ? ", left out" : "", why_kept));
+  const std::string links = fmt::format("{} links of {:.4g} kg{}", loop.links.size(), links_kg,
+                                        drops_mass ? ", left out" : "");
+  notes.push_back(
+      loop.mechanism
+          ? fmt::format("what moves {} is kept as a loop of its own bodies, driven at {}, {}: "
+                        "closed by numbers, its links' weight counted; no mechanism of closed form "
+                        "is it: {}",
+                        fmt::join(own, " and "), fmt::join(drives, " and "), links, why_kept)
+          : fmt::format("{} follow {} (key followers): closed by numbers, their weight and springs "
+                        "counted; no mechanism is it: {}",
+                        links, fmt::join(own, ", "), why_kept));
+  if (loop.follower) add_note_of_ends(notes);
   if (!dry.empty()) {
     notes.push_back(fmt::format(
         "dry friction of {}, joints within a loop, acts in no computation; state it in the drive's "
@@ -100,6 +132,25 @@ void KeptLoop::add_notes(const std::string& why_kept, std::vector<std::string>& 
     notes.push_back(fmt::format(
         "limits of effort of {}, joints within a loop, bind nothing: its drive's document does",
         fmt::join(limited, ", ")));
+  }
+}
+
+/// Several joints reach only part of what each one's range would let them.
+void KeptLoop::add_note_of_ends(std::vector<std::string>& notes) const {
+  const Eigen::VectorXd home = loop.geometry().start.head(loop.geometry().joints);
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(home.size());
+  for (Eigen::Index k = 0; k < home.size(); ++k) {
+    const dynamics::Joint& joint = draft[loop.joints[static_cast<std::size_t>(k)]].body.joint;
+    for (const double end : {joint.limits.position_min, joint.limits.position_max}) {
+      if (!std::isfinite(end)) continue;
+      Eigen::VectorXd at = home;
+      at[k] = end;
+      if (loop.follower->follow<double>(at, rest)) continue;
+      notes.push_back(fmt::format(
+          "with the others at their starts \"{}\" does not reach {:.4g}, the end of its range: the "
+          "links that follow it open before, and a motion or a run that goes there is told so",
+          joint.name, end));
+    }
   }
 }
 

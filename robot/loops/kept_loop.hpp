@@ -13,6 +13,10 @@ namespace torquewright::hopper {
 /// links in line, in a sentence; empty where none does. `joints`: those that it moves.
 std::string end_within_range(const Loop& loop, const std::vector<dynamics::Joint>& joints);
 
+/// Which joint the links that follow it hold where it stands, in a sentence; empty where all can
+/// move.
+std::string stuck_joint(const ClosedLinks& links, const std::vector<dynamics::Joint>& joints);
+
 /// The drive that turns a draft's joint, by its own name; the joint's where it has none.
 std::string drive_of(const std::vector<DraftBody>& draft, const DrivenJoints& driven,
                      std::size_t turned);
@@ -26,11 +30,14 @@ struct KeptLoop {
 
   /// `index`: where in the robot's tree each draft is. Nobody has named its actuators yet.
   Drivetrain drivetrain(const std::vector<std::size_t>& index) const;
+  /// The same of links that follow.
+  Follower follower(const std::vector<std::size_t>& index) const;
   /// What was kept, why it is no mechanism of closed form, and what of it is left out.
   void add_notes(const std::string& why_kept, std::vector<std::string>& notes) const;
 
  private:
-  std::shared_ptr<const Loop> mechanism() const;
+  LoopGeometry geometry() const;
+  void add_note_of_ends(std::vector<std::string>& notes) const;
 };
 
 }  // namespace torquewright::hopper

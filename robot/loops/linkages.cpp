@@ -6,10 +6,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "robot/loops/kept_loop.hpp"
+#include "robot/loops/kept_loops.hpp"
 #include "robot/loops/linkage_check.hpp"
 #include "robot/loops/linkage_geometry.hpp"
 #include "robot/loops/linkage_mass.hpp"
@@ -27,14 +27,15 @@ class LinkageReader {
         draft_(draft),
         imported_(imported),
         faults_(faults),
-        file_posture_(draft, {}) {}
+        file_posture_(draft, {}),
+        kept_(draft, driven, options) {}
 
   void read(const std::vector<Connect>& connects) {
     for (const Connect& connect : connects) {
       if (is_opened(connect)) continue;
       auto found = rod_loop_of(draft_, connect, driven_);
       if (auto* objection = std::get_if<std::string>(&found)) {
-        keep_as_loop(connect, std::move(*objection));
+        kept_.add(connect, std::move(*objection));
       } else {
         loops_.push_back(std::get<RodLoop>(std::move(found)));
       }
@@ -48,24 +49,13 @@ class LinkageReader {
       take_out_links();
     } while (!check());
     narrow_linkages();
-    make_loops();
+    kept_.make(lumped_, imported_, faults_);
     faults_.refuse();
     note_linkages();
     put_in_robot();
   }
 
  private:
-  void refuse(const Connect& connect, const std::string& why) {
-    faults_.report(*connect.element, fmt::format("closes a loop between \"{}\" and \"{}\": {}",
-                                                 connect.names[0], connect.names[1], why));
-  }
-
-  /// What no mechanism of closed form is, and why.
-  void keep_as_loop(const Connect& connect, std::string why) {
-    kept_.push_back(connect);
-    why_kept_[connect.element] = std::move(why);
-  }
-
   /// Whether the user asked for it, by its own name or that of an end.
   bool is_opened(const Connect& connect) {
     const std::string own = attribute(*connect.element, "name");
@@ -126,7 +116,7 @@ class LinkageReader {
   }
 
   void keep(const Linkage& linkage, const std::string& why) {
-    for (const RodLoop& loop : linkage.loops) keep_as_loop(loop.connect, why);
+    for (const RodLoop& loop : linkage.loops) kept_.add(loop.connect, why);
   }
 
   std::string joints_of(const RodLoop& loop) const {
@@ -207,56 +197,12 @@ class LinkageReader {
     return all_stay;
   }
 
-  /// What is no linkage, with its own bodies.
-  void make_loops() {
-    for (const std::vector<Connect>& group : connected(draft_, kept_)) {
-      auto made = general_loop_of(draft_, group, driven_);
-      if (const auto* objection = std::get_if<std::string>(&made)) {
-        refuse(group.front(),
-               fmt::format("{}; nor is it a loop of other shape: {}; --open-loop {} opens it",
-                           why_kept_.at(group.front().element), *objection,
-                           name_to_open(group.front())));
-        continue;
-      }
-      GeneralLoop loop = std::get<GeneralLoop>(std::move(made));
-      narrow(*loop.mechanism, loop.joints, loop.turned);
-      const std::string end = end_within_range(*loop.mechanism, as_narrowed(loop.joints));
-      if (!end.empty()) {
-        refuse(group.front(), fmt::format("{}; as a loop of other shape {}",
-                                          why_kept_.at(group.front().element), end));
-        continue;
-      }
-      general_.push_back(std::move(loop));
-    }
-  }
-
-  std::vector<dynamics::Joint> as_narrowed(const std::vector<std::size_t>& joints) const {
-    std::vector<dynamics::Joint> out;
-    for (const std::size_t joint : joints) out.push_back(lumped_[joint].body.joint);
-    return out;
-  }
-
-  void narrow(const Mechanism& mechanism, const std::vector<std::size_t>& held,
-              const std::vector<std::size_t>& turned) {
-    std::vector<dynamics::Joint*> joints;
-    for (const std::size_t joint : held) joints.push_back(&lumped_[joint].body.joint);
-    std::vector<dynamics::JointLimits> cranks;
-    for (const std::size_t crank : turned) cranks.push_back(draft_[crank].body.joint.limits);
-    for (std::string& note : narrow_to_cranks(mechanism, joints, cranks)) {
-      imported_.notes.push_back(std::move(note));
-    }
-  }
-
-  static std::string name_to_open(const Connect& connect) {
-    const std::string own = attribute(*connect.element, "name");
-    return own.empty() ? connect.names[1] : own;
-  }
-
   void narrow_linkages() {
     for (const Linkage& linkage : linkages_) {
       std::vector<std::size_t> cranks;
       for (const RodLoop& loop : linkage.loops) cranks.push_back(loop.crank);
-      narrow(*linkage.mechanism, linkage.loops.front().held, cranks);
+      narrow_held(*linkage.mechanism, linkage.loops.front().held, cranks, draft_, lumped_,
+                  imported_.notes);
     }
   }
 
@@ -301,9 +247,7 @@ class LinkageReader {
   }
 
   void put_in_robot() {
-    for (const GeneralLoop& loop : general_) {
-      for (const std::size_t link : loop.links) is_link_[link] = true;
-    }
+    for (const std::size_t link : kept_.links()) is_link_[link] = true;
     leave_out_links();
     for (const Linkage& linkage : linkages_) {
       Drivetrain drivetrain;
@@ -319,11 +263,7 @@ class LinkageReader {
       note_ranges(linkage);
       note_drag(linkage);
     }
-    for (const GeneralLoop& loop : general_) {
-      const KeptLoop kept{loop, draft_, driven_, options_.drops_link_mass};
-      imported_.robot.drivetrains.push_back(kept.drivetrain(index_));
-      kept.add_notes(why_kept_.at(loop.connects.front().element), imported_.notes);
-    }
+    kept_.put_in_robot(index_, imported_);
     draft_ = std::move(left_);
   }
 
@@ -364,9 +304,7 @@ class LinkageReader {
   std::vector<RodLoop> loops_;
   std::vector<Linkage> linkages_;
   std::vector<LinkageDifference> off_;  ///< By linkage.
-  std::vector<Connect> kept_;           ///< That are no linkages.
-  std::map<const Element*, std::string> why_kept_;
-  std::vector<GeneralLoop> general_;
+  KeptLoops kept_;                      ///< That are no linkages.
   std::set<std::string> opened_names_;
   std::vector<DraftBody> lumped_;  ///< All drafts, with what the linkages' links give them.
   std::vector<DraftBody> left_;    ///< Of these, those that are no links.

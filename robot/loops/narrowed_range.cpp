@@ -113,4 +113,16 @@ std::vector<std::string> narrow_to_cranks(const Mechanism& mechanism,
   return notes;
 }
 
+void narrow_held(const Mechanism& mechanism, const std::vector<std::size_t>& held,
+                 const std::vector<std::size_t>& turned, const std::vector<DraftBody>& draft,
+                 std::vector<DraftBody>& narrowed, std::vector<std::string>& notes) {
+  std::vector<dynamics::Joint*> joints;
+  for (const std::size_t joint : held) joints.push_back(&narrowed[joint].body.joint);
+  std::vector<dynamics::JointLimits> cranks;
+  for (const std::size_t crank : turned) cranks.push_back(draft[crank].body.joint.limits);
+  for (std::string& note : narrow_to_cranks(mechanism, joints, cranks)) {
+    notes.push_back(std::move(note));
+  }
+}
+
 }  // namespace torquewright::hopper

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "dynamics/tree.hpp"
+#include "robot/draft/draft.hpp"
 #include "robot/mechanisms/mechanism.hpp"
 
 namespace torquewright::hopper {
@@ -16,5 +17,11 @@ namespace torquewright::hopper {
 std::vector<std::string> narrow_to_cranks(const Mechanism& mechanism,
                                           const std::vector<dynamics::Joint*>& joints,
                                           const std::vector<dynamics::JointLimits>& cranks);
+
+/// The same of drafts, by index: joints that are held, in the drafts to be narrowed, and joints
+/// that are turned.
+void narrow_held(const Mechanism& mechanism, const std::vector<std::size_t>& held,
+                 const std::vector<std::size_t>& turned, const std::vector<DraftBody>& draft,
+                 std::vector<DraftBody>& narrowed, std::vector<std::string>& notes);
 
 }  // namespace torquewright::hopper

@@ -18,7 +18,7 @@ using dynamics::VectorX;
 using Eigen::Index;
 
 bool is_light(const HeldLoop& held) {
-  const LoopGeometry& loop = held.loop->geometry();
+  const LoopGeometry& loop = held.links->geometry();
   return std::all_of(loop.tree.bodies.begin(), loop.tree.bodies.end(),
                      [](const dynamics::Body& body) {
                        return body.inertia.mass_kg == 0 && body.joint.reflected_inertia == 0 &&
@@ -43,7 +43,7 @@ std::size_t whole_index(const dynamics::Tree& tree, const HeldLoop& held, std::s
 dynamics::Tree with_links(dynamics::Tree tree, const std::vector<HeldLoop>& loops) {
   for (const HeldLoop& held : loops) {
     const std::size_t first = tree.bodies.size();
-    const std::vector<dynamics::Body>& bodies = held.loop->geometry().tree.bodies;
+    const std::vector<dynamics::Body>& bodies = held.links->geometry().tree.bodies;
     for (std::size_t i = held.joints.size() + 1; i < bodies.size(); ++i) {
       dynamics::Body link = bodies[i];
       link.parent = whole_index(tree, held, first, link.parent);
@@ -63,7 +63,7 @@ LinkedBodiesOf<T>::LinkedBodiesOf(const dynamics::Tree& tree, std::vector<HeldLo
   Index row = size_;
   for (const HeldLoop& held : loops_) {
     first_row_.push_back(row);
-    row += held.loop->geometry().links();
+    row += held.links->geometry().links();
   }
   motions_.setZero(row, size_);
   motions_.topRows(size_).setIdentity();
@@ -77,7 +77,8 @@ void LinkedBodiesOf<T>::set(const VectorInOf<T>& position, const VectorInOf<T>& 
   all.head(position.size()) = position;
   bent_.setZero();
   for (std::size_t i = 0; i < loops_.size(); ++i) {
-    const Index own = loops_[i].loop->geometry().joints, links = loops_[i].loop->geometry().links();
+    const Index own = loops_[i].links->geometry().joints,
+                links = loops_[i].links->geometry().links();
     const Index row = first_row_[i];
     all.segment(row + position.size() - size_, links) = followed[i].position.tail(links);
     for (Index k = 0; k < own; ++k) {

@@ -3,13 +3,13 @@
 
 #include <vector>
 
-#include "robot/mechanisms/loop.hpp"
+#include "robot/mechanisms/closed_links.hpp"
 
 namespace torquewright::hopper {
 
 /// A loop of a robot, and the bodies of its tree that the loop's own joints carry.
 struct HeldLoop {
-  const Loop* loop = nullptr;
+  const ClosedLinks* links = nullptr;
   std::vector<std::size_t> joints;
 };
 

@@ -43,10 +43,11 @@ Pose pose_of_body(const Body& body) { return {body.joint.R_PB, body.joint.p_PB_m
 class BodyWriter {
  public:
   BodyWriter(tinyxml2::XMLPrinter& out, const Robot& robot, const dynamics::Tree& tree,
-             bool collides, bool has_stiff_friction)
+             const std::vector<double>& references, bool collides, bool has_stiff_friction)
       : out_(out),
         robot_(robot),
         tree_(tree),
+        references_(references),
         collides_(collides),
         has_stiff_friction_(has_stiff_friction) {}
 
@@ -130,21 +131,25 @@ class BodyWriter {
         last = last * pose_of_body(tree_.bodies[chain[k]]);
       }
       const dynamics::Joint& joint = tree_.bodies[chain[i]].joint;
-      write_joint(joint, robot_.states_rotor(chain[i], joint), last.R.transpose() * joint.axis,
-                  -(last.R.transpose() * last.p_m));
+      open_joint(joint, last.R.transpose() * joint.axis, -(last.R.transpose() * last.p_m));
+      if (robot_.states_rotor(chain[i], joint)) {
+        out_.PushAttribute("armature", text_of(joint.reflected_inertia).c_str());
+      }
+      const double reference = references_.empty() ? 0 : references_[chain[i]];
+      if (reference != 0) out_.PushAttribute("ref", text_of(reference).c_str());
+      close_joint(joint);
     }
   }
 
-  void write_joint(const dynamics::Joint& joint, bool states_rotor, const Vector3d& axis,
-                   const Vector3d& place_m) {
+  void open_joint(const dynamics::Joint& joint, const Vector3d& axis, const Vector3d& place_m) {
     out_.OpenElement("joint");
     out_.PushAttribute("name", joint.name.c_str());
     out_.PushAttribute("type", joint.kind == JointKind::kRevolute ? "hinge" : "slide");
     out_.PushAttribute("axis", text_of(axis).c_str());
     if (!place_m.isZero(0)) out_.PushAttribute("pos", text_of(place_m).c_str());
-    if (states_rotor) {
-      out_.PushAttribute("armature", text_of(joint.reflected_inertia).c_str());
-    }
+  }
+
+  void close_joint(const dynamics::Joint& joint) {
     write_passive(joint.passive);
     if (std::isfinite(joint.limits.position_min)) {
       out_.PushAttribute("limited", "true");
@@ -245,6 +250,7 @@ class BodyWriter {
   tinyxml2::XMLPrinter& out_;
   const Robot& robot_;
   const dynamics::Tree& tree_;
+  const std::vector<double>& references_;
   bool collides_;
   bool has_stiff_friction_;
 };
@@ -259,8 +265,8 @@ void number(const dynamics::Tree& tree, std::size_t index, std::vector<std::size
 }  // namespace
 
 void write_bodies(tinyxml2::XMLPrinter& out, const Robot& robot, const dynamics::Tree& tree,
-                  bool collides, bool has_stiff_friction) {
-  BodyWriter(out, robot, tree, collides, has_stiff_friction).write();
+                  const std::vector<double>& references, bool collides, bool has_stiff_friction) {
+  BodyWriter(out, robot, tree, references, collides, has_stiff_friction).write();
 }
 
 std::vector<std::size_t> mjcf_order(const dynamics::Tree& tree) {

@@ -38,8 +38,12 @@ double standing_height_m(const Robot& robot, const Eigen::VectorXd& q) {
   return -lowest_m;
 }
 
-std::string position_text(const Robot& robot, const Posture& posture) {
-  const Eigen::VectorXd q = position_of(robot.tree, posture);
+/// `shown`: the posture that the tree's frames show where all joints count from zero.
+std::string position_text(const Robot& robot, const Posture& posture,
+                          const Eigen::VectorXd& shown) {
+  Posture counted = posture;
+  counted.joints -= shown;
+  const Eigen::VectorXd q = position_of(robot.tree, counted);
   const double height_m = standing_height_m(robot, q);
   std::string text;
   if (robot.tree.base == BaseKind::kSpatial) text = "0 0 " + text_of(height_m) + " 1 0 0 0";
@@ -61,7 +65,12 @@ Posture completed(Posture posture, const dynamics::Tree& tree) {
 
 }  // namespace
 
-void write_keyframes(tinyxml2::XMLPrinter& out, const Robot& robot, bool only_zero) {
+void write_keyframes(tinyxml2::XMLPrinter& out, const Robot& robot,
+                     const std::vector<double>& references) {
+  Eigen::VectorXd shown = Eigen::VectorXd::Zero(static_cast<Index>(robot.tree.bodies.size()) - 1);
+  for (std::size_t i = 1; i < references.size(); ++i) {
+    shown[static_cast<Index>(i) - 1] = references[i];
+  }
   std::vector<Posture> postures;
   for (const Posture& next : robot.postures) postures.push_back(completed(next, robot.tree));
   const bool has_home = std::any_of(postures.begin(), postures.end(),
@@ -69,10 +78,10 @@ void write_keyframes(tinyxml2::XMLPrinter& out, const Robot& robot, bool only_ze
   if (!has_home) postures.insert(postures.begin(), home_of(robot.tree));
   out.OpenElement("keyframe");
   for (const Posture& posture : postures) {
-    if (only_zero && !posture.joints.isZero(0)) continue;
+    if (!references.empty() && posture.joints != shown) continue;
     out.OpenElement("key");
     out.PushAttribute("name", posture.name.c_str());
-    out.PushAttribute("qpos", position_text(robot, posture).c_str());
+    out.PushAttribute("qpos", position_text(robot, posture, shown).c_str());
     out.CloseElement();
   }
   out.CloseElement();

@@ -8,8 +8,10 @@
 namespace torquewright::hopper {
 
 /// A keyframe of each of the robot's postures, and "home": joints as near to zero as their ranges
-/// allow. With `only_zero` those whose joints are not all at zero are left out. The base is
-/// upright, and so high that the lowest contact point touches the ground.
-void write_keyframes(tinyxml2::XMLPrinter& out, const Robot& robot, bool only_zero);
+/// allow. Where there are `references`, as LoopedRobot has them, only postures with all joints
+/// there are held. The base is upright, and so high that the lowest contact point touches the
+/// ground.
+void write_keyframes(tinyxml2::XMLPrinter& out, const Robot& robot,
+                     const std::vector<double>& references);
 
 }  // namespace torquewright::hopper

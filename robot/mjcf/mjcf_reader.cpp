@@ -237,13 +237,17 @@ class MjcfReader {
       refuse_ball(*ball.element, faults_);
       return;
     }
+    note_passive(ball);
+    split_balls_.insert(ball.joint.name);
+  }
+
+  void note_passive(const MjcfJoint& ball) {
     if (!ball.joint.passive.is_none()) {
       imported_.notes.push_back(
           fmt::format("line {}: damping, friction and spring of a ball joint are left behind: they "
                       "count about other axes than its hinges'",
                       ball.element->line));
     }
-    split_balls_.insert(ball.joint.name);
   }
 
   void note_names() {
@@ -289,7 +293,11 @@ class MjcfReader {
       const bool is_left = std::any_of(draft_.begin(), draft_.end(), [element](const auto& draft) {
         return draft.ball == element;
       });
-      if (is_left) split_ball(ball, placed);
+      if (is_left) {
+        split_ball(ball, placed);
+      } else {
+        note_passive(ball);
+      }
     }
   }
 

@@ -88,11 +88,13 @@ void write_all(tinyxml2::XMLPrinter& out, const LoopedRobot& looped, const dynam
   write_settings(out, tree);
   out.OpenElement("worldbody");
   if (parts.ground) write_ground(out);
-  write_bodies(out, robot, tree, parts.collisions, has_joint_friction(parts));
+  write_bodies(out, robot, tree, looped.references, parts.collisions, has_joint_friction(parts));
   out.CloseElement();
   if (!looped.pins.empty()) write_pins(out, looped);
   write_drives(out, robot, drives);
-  if (parts.ground) write_keyframes(out, robot, !looped.pins.empty());
+  if (parts.ground) {
+    write_keyframes(out, robot, looped.pins.empty() ? std::vector<double>() : looped.references);
+  }
   out.CloseElement();
 }
 
@@ -102,7 +104,7 @@ Exported mjcf_of(const Robot& robot, const MjcfParts& parts) {
   Exported exported;
   exported.notes.emplace_back("speed limits of joints are not held");
   LoopedRobot looped =
-      parts.closed_loops ? with_closed_loops(robot, exported.notes) : LoopedRobot{robot, {}};
+      parts.closed_loops ? with_closed_loops(robot, exported.notes) : LoopedRobot{robot, {}, {}};
   if (parts.actuators) leave_to_drives(robot, looped.robot.tree);
   dynamics::Tree tree = tree_with_rotors(looped.robot, exported.notes);
   add_passive_notes(robot, true, exported.notes);
@@ -110,7 +112,8 @@ Exported mjcf_of(const Robot& robot, const MjcfParts& parts) {
                    exported.notes);
   add_notes_of_parts(robot, parts, exported.notes);
   if (parts.ground && !looped.pins.empty()) {
-    exported.notes.emplace_back("of keyframes only the one with all joints at zero is held");
+    exported.notes.emplace_back(
+        "of keyframes only the one that stands where the file's bodies do is held");
   }
   const std::vector<Drive> drives = parts.actuators
                                         ? drives_of(looped.robot, parts.friction, exported.notes)

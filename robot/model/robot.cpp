@@ -28,13 +28,14 @@ std::optional<std::size_t> Robot::find_joint(const std::string& joint_name) cons
 
 double Robot::links_kg() const {
   double sum_kg = 0;
+  const auto add = [&](const LoopGeometry& loop) {
+    for (const dynamics::Body& body : loop.tree.bodies) sum_kg += body.inertia.mass_kg;
+  };
   for (const Drivetrain& drivetrain : drivetrains) {
     const auto* loop = dynamic_cast<const Loop*>(drivetrain.mechanism.get());
-    if (loop == nullptr) continue;
-    for (const dynamics::Body& body : loop->geometry().tree.bodies) {
-      sum_kg += body.inertia.mass_kg;
-    }
+    if (loop != nullptr) add(loop->geometry());
   }
+  for (const Follower& follower : followers) add(follower.links->geometry());
   return sum_kg;
 }
 

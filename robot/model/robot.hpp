@@ -9,6 +9,7 @@
 #include "actuator/motor/actuator.hpp"
 #include "dynamics/point.hpp"
 #include "dynamics/tree.hpp"
+#include "robot/mechanisms/closed_links.hpp"
 #include "robot/mechanisms/mechanism.hpp"
 #include "robot/model/posture.hpp"
 #include "robot/model/transmission_limit.hpp"
@@ -56,6 +57,13 @@ struct Drivetrain {
   bool is_of_limits = false;  ///< Made of what its joint states, for its document names no drive.
 };
 
+/// Links that no drive turns: they close on joints of the robot, which are driven or free by
+/// themselves, as the rod to a leaf spring does.
+struct Follower {
+  std::shared_ptr<const ClosedLinks> links;
+  std::vector<std::size_t> joints;  ///< By the body that the joint carries.
+};
+
 /// Rotor and gears at an actuator's output: as stated, else N^2 J of the actuator.
 double rotor_at_output_kg_m2(const Drivetrain& drivetrain, std::size_t actuator);
 /// The same and the crank that it turns.
@@ -66,6 +74,7 @@ struct Robot {
   dynamics::Tree tree;  ///< Joints carry their names.
   std::vector<ContactPoint> contacts;
   std::vector<Drivetrain> drivetrains;
+  std::vector<Follower> followers;
   std::vector<CollisionSphere> spheres;
   std::string battery;            ///< JSON as stated, for drives that state none; or empty.
   std::vector<Posture> postures;  ///< By name.

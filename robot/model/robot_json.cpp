@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "robot/mechanisms/library_spec.hpp"
+#include "robot/model/follower_spec.hpp"
 #include "robot/parts/body_keys.hpp"
 
 namespace torquewright::hopper {
@@ -106,6 +107,9 @@ ordered_json robot_json(const Robot& robot) {
   }
   for (const Drivetrain& drivetrain : robot.drivetrains) {
     document["mechanisms"].push_back(drivetrain_json(robot, drivetrain));
+  }
+  for (const Follower& follower : robot.followers) {
+    document["followers"].push_back(follower_json(robot, follower));
   }
   if (!robot.battery.empty()) document["battery"] = nlohmann::json::parse(robot.battery);
   for (const CollisionSphere& sphere : robot.spheres) {

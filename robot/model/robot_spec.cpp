@@ -9,6 +9,7 @@
 
 #include "io/text/one_line.hpp"
 #include "robot/find_name.hpp"
+#include "robot/model/follower_spec.hpp"
 #include "robot/model/mechanism_spec.hpp"
 #include "robot/model/posture_spec.hpp"
 #include "robot/model/tree_order.hpp"
@@ -38,6 +39,7 @@ class RobotReader {
     read_contacts();
     read_spheres();
     read_mechanisms(robot_, documents_, faults_);
+    read_followers(document(), robot_, faults_);
     read_postures(document(), robot_, faults_);
     if (!faults_.empty()) throw io::SpecError(std::move(faults_));
     return {std::move(robot_), std::move(documents_)};

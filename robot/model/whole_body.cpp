@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "robot/model/whole_body.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "actuator/region/torque_at.hpp"
@@ -8,6 +10,7 @@
 #include "dynamics/jet.hpp"
 #include "dynamics/mass_matrix.hpp"
 #include "dynamics/passive_forces.hpp"
+#include "robot/mechanisms/loop.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -48,7 +51,10 @@ std::vector<HeldLoop> loops_of(const Robot& robot) {
   std::vector<HeldLoop> loops;
   for (const Drivetrain& drivetrain : robot.drivetrains) {
     const auto* loop = dynamic_cast<const Loop*>(drivetrain.mechanism.get());
-    if (loop != nullptr) loops.push_back({loop, drivetrain.joints});
+    if (loop != nullptr) loops.push_back({&loop->links(), drivetrain.joints});
+  }
+  for (const Follower& follower : robot.followers) {
+    loops.push_back({follower.links.get(), follower.joints});
   }
   return loops;
 }
@@ -75,8 +81,9 @@ WholeBodyOf<T>::WholeBodyOf(const Robot& robot)
   for (std::size_t i = 0; i < robot.drivetrains.size(); ++i) {
     const Drivetrain& drivetrain = robot.drivetrains[i];
     first_drive_.push_back(rotors_kg_m2_.size());
+    const auto* loop = dynamic_cast<const Loop*>(drivetrain.mechanism.get());
     for (const HeldLoop& held : linked_.loops()) {
-      if (held.loop == drivetrain.mechanism.get()) linked_drivetrains_.push_back(i);
+      if (loop != nullptr && held.links == &loop->links()) linked_drivetrains_.push_back(i);
     }
     for (std::size_t j = 0; j < drivetrain.actuators.size(); ++j) {
       rotors_kg_m2_.push_back(rotor_kg_m2(robot, drivetrain, j));
@@ -89,43 +96,64 @@ WholeBodyOf<T>::WholeBodyOf(const Robot& robot)
 template <typename T>
 bool WholeBodyOf<T>::set(const VectorInOf<T>& position, const VectorInOf<T>& velocity) {
   state_.set(position, velocity);
-  const Index joints = static_cast<Index>(state_.tree().bodies.size()) - 1;
   for (std::size_t i = 0; i < robot_->drivetrains.size(); ++i) {
+    if (set_drivetrain(i)) continue;
     const Drivetrain& drivetrain = robot_->drivetrains[i];
-    const auto count = static_cast<Index>(drivetrain.joints.size());
-    SmallVectorOf<T> joint_rad(count);
-    SmallVectorOf<T> joint_rad_s(count);
-    for (Index j = 0; j < count; ++j) {
-      const auto body = static_cast<Index>(drivetrain.joints[static_cast<std::size_t>(j)]);
-      joint_rad[j] = position[position.size() - joints + body - 1];
-      joint_rad_s[j] = velocity[velocity.size() - joints + body - 1];
-    }
-    unreached_ = i;
-    if (std::count(linked_drivetrains_.begin(), linked_drivetrains_.end(), i) > 0) {
-      if (!set_loop(i, joint_rad, joint_rad_s)) return false;
-      continue;
-    }
-    const auto transfer = transfer_of<T>(*drivetrain.mechanism, joint_rad, joint_rad_s);
-    if (!transfer) return false;
-    transfers_[i] = *transfer;
+    unreached_ = {fmt::format("the {} mechanism of {}", drivetrain.mechanism->type(),
+                              drivetrain.actuator_names.front()),
+                  drivetrain.joints};
+    return false;
+  }
+  for (std::size_t i = linked_drivetrains_.size(); i < linked_.loops().size(); ++i) {
+    if (set_follower(i)) continue;
+    const HeldLoop& held = linked_.loops()[i];
+    unreached_ = {fmt::format("the follower \"{}\"",
+                              held.links->geometry().tree.bodies[held.joints.size() + 1].name),
+                  held.joints};
+    return false;
   }
   if (!linked_.is_empty()) linked_.set(position, velocity, followed_);
   return true;
 }
 
+template <typename T>
+bool WholeBodyOf<T>::set_drivetrain(std::size_t index) {
+  const auto linked = std::find(linked_drivetrains_.begin(), linked_drivetrains_.end(), index);
+  if (linked != linked_drivetrains_.end()) {
+    return set_loop(index, static_cast<std::size_t>(linked - linked_drivetrains_.begin()));
+  }
+  const Drivetrain& drivetrain = robot_->drivetrains[index];
+  const auto transfer = transfer_of<T>(*drivetrain.mechanism, positions_of(drivetrain),
+                                       joints_of(drivetrain, state_.velocity()));
+  if (!transfer) return false;
+  transfers_[index] = *transfer;
+  return true;
+}
+
 /// Its links move on the way to its actuators: they are followed once.
 template <typename T>
-bool WholeBodyOf<T>::set_loop(std::size_t drivetrain, const SmallVectorOf<T>& joint_rad,
-                              const SmallVectorOf<T>& joint_rad_s) {
-  const auto place = std::find(linked_drivetrains_.begin(), linked_drivetrains_.end(), drivetrain);
-  const auto index = static_cast<std::size_t>(place - linked_drivetrains_.begin());
-  const Loop& loop = *linked_.loops()[index].loop;
-  auto followed = loop.follow<T>(joint_rad, joint_rad_s);
-  if (!followed) return false;
-  const auto transfer = loop.transfer_of_followed<T>(*followed);
+bool WholeBodyOf<T>::set_loop(std::size_t drivetrain, std::size_t loop) {
+  if (!set_follower(loop)) return false;
+  const auto& mechanism = dynamic_cast<const Loop&>(*robot_->drivetrains[drivetrain].mechanism);
+  const auto transfer = mechanism.transfer_of_followed<T>(followed_[loop]);
   if (!transfer) return false;
-  followed_[index] = std::move(*followed);
   transfers_[drivetrain] = *transfer;
+  return true;
+}
+
+template <typename T>
+bool WholeBodyOf<T>::set_follower(std::size_t loop) {
+  const HeldLoop& held = linked_.loops()[loop];
+  const auto count = static_cast<Index>(held.joints.size());
+  dynamics::VectorX<T> joint_rad(count), joint_rad_s(count);
+  for (Index j = 0; j < count; ++j) {
+    const std::size_t body = held.joints[static_cast<std::size_t>(j)];
+    joint_rad[j] = state_.joint_position(body);
+    joint_rad_s[j] = state_.joint_velocity(body);
+  }
+  auto followed = held.links->template follow<T>(joint_rad, joint_rad_s);
+  if (!followed) return false;
+  followed_[loop] = std::move(*followed);
   return true;
 }
 
@@ -135,6 +163,15 @@ SmallVectorOf<T> WholeBodyOf<T>::joints_of(const Drivetrain& drivetrain,
   SmallVectorOf<T> part(static_cast<Index>(drivetrain.joints.size()));
   for (Index j = 0; j < part.size(); ++j) {
     part[j] = values[state_.joint_row(drivetrain.joints[static_cast<std::size_t>(j)])];
+  }
+  return part;
+}
+
+template <typename T>
+SmallVectorOf<T> WholeBodyOf<T>::positions_of(const Drivetrain& drivetrain) const {
+  SmallVectorOf<T> part(static_cast<Index>(drivetrain.joints.size()));
+  for (Index j = 0; j < part.size(); ++j) {
+    part[j] = state_.joint_position(drivetrain.joints[static_cast<std::size_t>(j)]);
   }
   return part;
 }

@@ -29,6 +29,12 @@ struct DriveInstant {
   }
 };
 
+/// What cannot be as the joints stand, in words, and its joints by the bodies that they carry.
+struct Unreached {
+  std::string what;
+  std::vector<std::size_t> joints;
+};
+
 /// Whether what its joints state of rotors stays in the tree: where they do not turn with one joint
 /// at a constant ratio.
 bool rotors_stay_in_tree(const Drivetrain& drivetrain);
@@ -54,8 +60,8 @@ class WholeBodyOf {
   /// drivetrain may be asked for.
   [[nodiscard]] bool set(const dynamics::VectorInOf<T>& position,
                          const dynamics::VectorInOf<T>& velocity);
-  /// Returns the index of the drivetrain whose mechanism did not reach the posture last set.
-  std::size_t unreached() const { return unreached_; }
+  /// Returns what did not reach the posture last set: a mechanism, or links that follow.
+  const Unreached& unreached() const { return unreached_; }
 
   /// Its reflected inertias are those of no rotor of a drivetrain. Links of loops are not in it.
   dynamics::TreeStateOf<T>& state() { return state_; }
@@ -107,10 +113,12 @@ class WholeBodyOf {
                      dynamics::VectorOut at_actuators) const requires std::same_as<T, double>;
 
  private:
-  bool set_loop(std::size_t drivetrain, const SmallVectorOf<T>& joint_rad,
-                const SmallVectorOf<T>& joint_rad_s);
+  bool set_drivetrain(std::size_t drivetrain);
+  bool set_loop(std::size_t drivetrain, std::size_t loop);
+  bool set_follower(std::size_t loop);
   SmallVectorOf<T> joints_of(const Drivetrain& drivetrain,
                              const dynamics::VectorInOf<T>& values) const;
+  SmallVectorOf<T> positions_of(const Drivetrain& drivetrain) const;
   SmallVectorOf<T> accelerations(std::size_t drivetrain,
                                  const dynamics::VectorInOf<T>& acceleration) const;
   /// Angular accelerations of the bodies for an acceleration, in the world's axes; without
@@ -128,13 +136,13 @@ class WholeBodyOf {
   const Robot* robot_;
   dynamics::TreeStateOf<T> state_;
   LinkedBodiesOf<T> linked_;
-  std::vector<std::size_t> linked_drivetrains_;  ///< By loop of it.
-  std::vector<FollowedOf<T>> followed_;
-  std::vector<std::size_t> first_drive_;  ///< By drivetrain.
-  std::vector<double> rotors_kg_m2_;      ///< By drive, at its output.
+  std::vector<FollowedOf<T>> followed_;          ///< By loop of it, of drivetrains first.
+  std::vector<std::size_t> linked_drivetrains_;  ///< By loop of it, of drivetrains alone.
+  std::vector<std::size_t> first_drive_;         ///< By drivetrain.
+  std::vector<double> rotors_kg_m2_;             ///< By drive, at its output.
   std::vector<double> before_gears_kg_m2_;
   std::vector<TransferOf<T>> transfers_;  ///< By drivetrain, as set.
-  std::size_t unreached_ = 0;
+  Unreached unreached_;
 };
 using WholeBody = WholeBodyOf<double>;
 

@@ -70,6 +70,24 @@ TEST(LimitsAreDrives, ARobotWithoutThemIsRefusedByName) {
       << imported.err;
 }
 
+// Oracle: what the folder holds afterwards; nothing where the robot is refused.
+TEST(LimitsAreDrives, TheirFolderIsMade) {
+  Workplace place;
+  place.write("arm.urdf", arm("effort=\"10\" velocity=\"5\""));
+  const Outcome imported =
+      place.run({"robot", "import", "arm.urdf", "--actuators", "new/drives", "-o", "arm.json"});
+  ASSERT_EQ(imported.exit_code, 0) << imported.err;
+  const std::string file =
+      json::parse(place.files().at("arm.json"))["mechanisms"][0]["actuators"][0];
+  EXPECT_EQ(file.find("new/drives/"), 0u) << file;
+  EXPECT_TRUE(place.has(file));
+  place.write("arm.urdf", arm("effort=\"0\" velocity=\"5\""));
+  const Outcome refused =
+      place.run({"robot", "import", "arm.urdf", "--actuators", "other", "-o", "other.json"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_FALSE(place.has("other"));
+}
+
 // A velocity of 0 is none that is stated: the torque holds at any speed, which is said.
 TEST(LimitsAreDrives, AJointWithoutALimitOfSpeedHasItsTorqueAtAny) {
   Workplace place;

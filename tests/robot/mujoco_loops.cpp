@@ -128,6 +128,19 @@ VectorXd MujocoLoops::inverse_dynamics(const VectorXd& velocity, const VectorXd&
   return N.transpose() * all;
 }
 
+void MujocoLoops::begin_at_keyframe(int key) {
+  mjModel& model = mujoco_.model();
+  set(Eigen::Map<const VectorXd>(model.key_qpos + static_cast<std::ptrdiff_t>(key) * model.nq,
+                                 model.nq));
+}
+
+void MujocoLoops::leave_balls_undamped() {
+  mjModel& model = mujoco_.model();
+  for (int dof = 0; dof < model.nv; ++dof) {
+    if (model.jnt_type[model.dof_jntid[dof]] == mjJNT_BALL) model.dof_damping[dof] = 0;
+  }
+}
+
 void MujocoLoops::weigh_nothing(const std::string& body) {
   mjModel& model = mujoco_.model();
   const int id = mj_name2id(&model, mjOBJ_BODY, body.c_str());

@@ -16,6 +16,8 @@ class MujocoLoops {
  public:
   MujocoLoops(const std::string& mjcf, const hopper::Robot& robot);
 
+  /// Begins where a keyframe of the file stands, for a file whose own posture brings links in line.
+  void begin_at_keyframe(int key);
   /// Moves cranks and rods by Newton's method on the gaps, from the file's posture on in small
   /// steps of the robot's joints, in the order of the robot's bodies. The gap left, m.
   double close(const Eigen::VectorXd& joints);
@@ -29,6 +31,8 @@ class MujocoLoops {
   Eigen::VectorXd inverse_dynamics(const Eigen::VectorXd& velocity,
                                    const Eigen::VectorXd& acceleration);
   void weigh_nothing(const std::string& body);
+  /// Balls of rods without the damping that hinges in their place do not have.
+  void leave_balls_undamped();
   double total_mass_kg() { return mj_getTotalmass(&mujoco_.model()); }
 
  private:

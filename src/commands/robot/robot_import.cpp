@@ -15,6 +15,7 @@
 #include "io/faults/refusal.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/files/given_once.hpp"
+#include "io/files/new_folder.hpp"
 #include "io/text/one_line.hpp"
 #include "robot/draft/limit_drives.hpp"
 #include "robot/draft/own_lines.hpp"
@@ -155,6 +156,8 @@ std::vector<io::FileContent> add_drives(const ImportOptions& options, hopper::Im
 
 void write(const ImportOptions& options, const hopper::Imported& imported,
            const std::string& document, std::vector<io::FileContent> drives) {
+  std::optional<io::NewFolder> folder;
+  if (!drives.empty()) folder.emplace(std::filesystem::absolute(options.drive_folder));
   deliver_result(document, options.output_file, std::move(drives));
   std::string notes;
   for (const std::string& note : imported.notes) notes += "note: " + note + "\n";

@@ -99,7 +99,7 @@ TEST(Loop, OfAFourBarIsItsClosedForm) {
     if (!geometry || !is_far(FourBar(bar), SmallVector::Zero(1))) continue;
     geometry->tree.bodies[1].joint.limits.position_min = -1;
     geometry->tree.bodies[1].joint.limits.position_max = 1;
-    ASSERT_EQ(Loop::objection(*geometry), "");
+    ASSERT_EQ(ClosedLinks::objection(*geometry), "");
     const Loop loop(*geometry);
     for (int sample = 0; sample < 5; ++sample) {
       // Near enough to zero that the way there crosses no other branch.
@@ -169,7 +169,7 @@ TEST(Loop, OfAParallelAnkleIsItsClosedForm) {
     }
     if (!is_far(ParallelAnkle(ankle), pair_of(0, 0))) continue;
     const LoopGeometry geometry = loop_of(ankle);
-    ASSERT_EQ(Loop::objection(geometry), "");
+    ASSERT_EQ(ClosedLinks::objection(geometry), "");
     const Loop loop(geometry);
     for (int sample = 0; sample < 20; ++sample) {
       const SmallVector q = pair_of(uniform(dice, -0.5, 0.5), uniform(dice, -0.3, 0.3));
@@ -232,13 +232,13 @@ TEST(Loop, SaysWhyItIsNone) {
   bar.ground_m = 0.19;
   bar.rocker_zero_rad = 1.2;
   const LoopGeometry sound = loop_of(bar).value();
-  ASSERT_EQ(Loop::objection(sound), "");
+  ASSERT_EQ(ClosedLinks::objection(sound), "");
   LoopGeometry loop = sound;
   loop.closures.front()[0].p_B_m *= 3;
-  EXPECT_NE(Loop::objection(loop).find("does not close"), std::string::npos);
+  EXPECT_NE(ClosedLinks::objection(loop).find("does not close"), std::string::npos);
   loop = sound;
   loop.closures.clear();
-  EXPECT_NE(Loop::objection(loop).find("nothing closes it"), std::string::npos);
+  EXPECT_NE(ClosedLinks::objection(loop).find("nothing closes it"), std::string::npos);
   loop = sound;  // a second hinge on the crank's pivot turns the whole
   add(loop, 2, Vector3d(0.01, 0, 0), Vector3d::UnitZ());
   loop.tree.bodies[3].parent = 3;
@@ -249,7 +249,8 @@ TEST(Loop, SaysWhyItIsNone) {
   loop.closures.front()[0].p_B_m -= Vector3d(0.01, 0, 0);
   loop.start.conservativeResize(4);
   loop.start[3] = 0;
-  EXPECT_NE(Loop::objection(loop).find("free"), std::string::npos) << Loop::objection(loop);
+  EXPECT_NE(ClosedLinks::objection(loop).find("free"), std::string::npos)
+      << ClosedLinks::objection(loop);
   // It ends where crank and coupler are in line.
   const Loop whole(sound);
   EXPECT_FALSE(whole.transfer(SmallVector::Constant(1, 1.9), SmallVector::Zero(1)));
