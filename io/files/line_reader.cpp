@@ -9,11 +9,13 @@
 #include <cstring>
 
 #include "io/faults/refusal.hpp"
+#include "io/files/foreign_format.hpp"
 
 namespace torquewright::io {
 namespace {
 
 constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
+constexpr std::size_t kLooksAt = 256;  // bytes, for what the file is
 
 }  // namespace
 
@@ -43,9 +45,16 @@ bool LineReader::fill() {
     if (count < 0) refuse_unreadable(file_, errno);
     hash_.add({buffer_.data() + end_, static_cast<std::size_t>(count)});
     end_ += static_cast<std::size_t>(count);
+    const bool is_first = bytes_read_ == 0.0;
     bytes_read_ += static_cast<double>(count);
+    if (is_first) refuse_foreign({buffer_.data(), std::min(end_, kLooksAt)});
     return count > 0;
   }
+}
+
+void LineReader::refuse_foreign(std::string_view first_bytes) const {
+  const std::string what = foreign_format(first_bytes);
+  if (!what.empty()) refuse(file_, "is no text but " + what);
 }
 
 bool LineReader::next(std::string_view& line) {

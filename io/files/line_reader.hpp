@@ -22,7 +22,8 @@ class LineReader {
   LineReader& operator=(const LineReader&) = delete;
 
   /// The next line, valid until the next call; false at the end. Throws SpecError for what is no
-  /// text: zero bytes (UTF-16), or a line longer than kLongestLine.
+  /// text: other formats (foreign_format.hpp), zero bytes (UTF-16), or a line longer than
+  /// kLongestLine.
   bool next(std::string_view& line);
   static constexpr std::size_t kLongestLine = std::size_t{1} << 20;
 
@@ -33,6 +34,8 @@ class LineReader {
 
  private:
   bool fill();
+  /// Throws SpecError for an archive, a recording or another format that is no text.
+  void refuse_foreign(std::string_view first_bytes) const;
   std::string_view cleaned(std::string_view line) const;
 
   std::string file_;

@@ -174,6 +174,7 @@ const std::vector<LeftOut> kLeftOut = {
      "of a prismatic joint"},
     {R"(robot: /mechanisms/\*/(branch|c(losures|oupler|rank).*|ground.*|jacobian|lever.*|links.*|rocker.*|rod.*|transmission_angle.*|turned))",
      "of mechanisms that are not direct"},
+    {R"(robot: /followers.*)", "of loops that no drive turns; the example is a chain"},
     {R"(robot: /mechanisms/\*/reflected_inertia_kg_m2)", "the example's joint states it"},
     {R"(robot: /mechanisms/\*/transmission_limit/strength)", "in place of the torque"},
 };

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/files/foreign_format.hpp"
+
+#include <array>
+
+namespace torquewright::io {
+namespace {
+
+struct Format {
+  std::string_view begins_with;
+  std::string_view holds;  ///< Stands in the first bytes too; may be empty.
+  std::string_view sentence;
+};
+
+using namespace std::string_view_literals;
+
+constexpr std::string_view kPickle =
+    "a Python pickle, which may run any program when it is opened: where it is trusted, python3 -c "
+    "\"import pickle, pandas; pandas.DataFrame(pickle.load(open('FILE', 'rb'))).to_csv('FILE.csv', "
+    "index=False)\"";
+
+/// The first that fits counts: an archive by what is in it before any other.
+constexpr std::array kFormats{
+    Format{"PK\x03\x04"sv, ".npy"sv,
+           "a NumPy archive (.npz): python3 -c \"import numpy as n; d = n.load('FILE'); a = {k: "
+           "d[k].reshape(len(d[k]), -1) for k in d if d[k].ndim}; n.savetxt('FILE.csv', "
+           "n.hstack(list(a.values())), delimiter=',', comments='', header=','.join(f'{k}_{i}' if "
+           "v.shape[1] > 1 else k for k, v in a.items() for i in range(v.shape[1])))\""},
+    Format{"PK\x03\x04"sv, "[Content_Types].xml"sv,
+           "a spreadsheet's own file: save the sheet as CSV"},
+    Format{"PK\x03\x04"sv, ""sv, "a zip archive: unzip FILE"},
+    Format{"\x93NUMPY"sv, ""sv,
+           "a NumPy array (.npy), whose columns have no names: python3 -c \"import numpy as n; "
+           "n.savetxt('FILE.csv', n.load('FILE'), delimiter=',')\", then a first line that names "
+           "them"},
+    Format{"\x80\x02"sv, ""sv, kPickle},
+    Format{"\x80\x03"sv, ""sv, kPickle},
+    Format{"\x80\x04"sv, ""sv, kPickle},
+    Format{"\x80\x05"sv, ""sv, kPickle},
+    Format{"PAR1"sv, ""sv,
+           "a Parquet table: python3 -c \"import pandas; "
+           "pandas.read_parquet('FILE').to_csv('FILE.csv', index=False)\""},
+    Format{"\x89HDF\r\n\x1a\n"sv, ""sv,
+           "an HDF5 file: python3 -c \"import pandas; pandas.read_hdf('FILE').to_csv('FILE.csv', "
+           "index=False)\" where pandas wrote it; in MATLAB "
+           "writetable(struct2table(load('FILE')), 'FILE.csv')"},
+    Format{"MATLAB 5.0 MAT-file"sv, ""sv,
+           "a MATLAB file (.mat): in MATLAB writetable(struct2table(load('FILE')), 'FILE.csv')"},
+    Format{"\x1f\x8b"sv, ""sv, "compressed by gzip: gunzip --keep FILE"},
+    Format{"\x28\xb5\x2f\xfd"sv, ""sv, "compressed by zstd: unzstd FILE"},
+    Format{"\xfd"
+           "7zXZ"sv,
+           ""sv, "compressed by xz: unxz --keep FILE"},
+    Format{"#ROSBAG"sv, ""sv,
+           "a recording of ROS 1: rostopic echo -b FILE -p /joint_states > FILE.csv"},
+    Format{"\x89MCAP"sv, ""sv,
+           "a recording of ROS 2 (MCAP): ros2 topic echo --csv /joint_states > FILE.csv while ros2 "
+           "bag play FILE runs"},
+    Format{"SQLite format 3"sv, ""sv,
+           "a database, as recordings of ROS 2 are: ros2 topic echo --csv /joint_states > FILE.csv "
+           "while ros2 bag play FILE runs"},
+};
+
+}  // namespace
+
+std::string foreign_format(std::string_view first_bytes) {
+  for (const Format& format : kFormats) {
+    if (!first_bytes.starts_with(format.begins_with)) continue;
+    if (first_bytes.find(format.holds) == std::string_view::npos) continue;
+    return std::string(format.sentence);
+  }
+  return "";
+}
+
+}  // namespace torquewright::io
