@@ -47,7 +47,7 @@ endfunction()
 # One GoogleTest program; CTest runs each of its suites in a process of its own, so that what a suite
 # prepares once (a search, a log) is prepared once. (gtest_discover_tests makes a process per TEST.)
 function(add_module_test name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LINKS" ${ARGN})
+  cmake_parse_arguments(arg "" "COST" "SOURCES;LINKS" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR})
   target_link_libraries(${name} PRIVATE ${arg_LINKS} GTest::gtest_main)
@@ -57,7 +57,7 @@ function(add_module_test name)
   set(suites ${CMAKE_CURRENT_BINARY_DIR}/${name}_suites.cmake)
   add_custom_command(TARGET ${name} POST_BUILD
     COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:${name}> -DOUTPUT=${suites}
-            -P ${PROJECT_SOURCE_DIR}/cmake/list_suites.cmake
+            "-DCOST=${arg_COST}" -P ${PROJECT_SOURCE_DIR}/cmake/list_suites.cmake
     BYPRODUCTS ${suites} VERBATIM)
   if(NOT EXISTS ${suites})
     file(WRITE ${suites} "add_test([=[${name}: not built]=] ${name}-not-built)\n")
