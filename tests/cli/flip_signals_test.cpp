@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/cli/workplace.hpp"
+#include "tests/long_run.hpp"
 
 namespace torquewright::cli_test {
 namespace {
@@ -17,7 +18,8 @@ using nlohmann::json;
 using Words = std::vector<std::string>;
 using std::chrono::microseconds;
 
-constexpr int kMoments = 5;
+/// From a run's start to its end.
+const int kMoments = test::is_long_run() ? 5 : 3;
 const std::string kHopper = in_repository("specs/robot/hopper.json").string();
 /// A coarse jump that is found in a second.
 const Words kJump{"hopper",   "flip",          kHopper,    "--task",

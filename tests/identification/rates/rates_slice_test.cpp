@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "tests/identification/rates/trial.hpp"
+#include "tests/long_run.hpp"
 
 namespace torquewright::rates {
 namespace {
@@ -22,6 +23,9 @@ struct Count {
   int named = 0;
   std::string lines;
 };
+
+/// Of logs of a class: the first half of them, unless long studies run.
+std::uint64_t logs(std::uint64_t all) { return test::is_long_run() ? all : all / 2; }
 
 /// Oracle: the truth that the simulation of the log put in, by a code of its own.
 Count count(LogClass log_class, std::uint64_t first, std::uint64_t many) {
@@ -43,7 +47,7 @@ Count count(LogClass log_class, std::uint64_t first, std::uint64_t many) {
 }
 
 TEST(RatesSlice, NamesNothingWhereNothingIsMissing) {
-  const Count counted = count(LogClass::kNone, kFirstSeed, 6);
+  const Count counted = count(LogClass::kNone, kFirstSeed, logs(6));
   EXPECT_EQ(counted.named, 0) << counted.lines;
 }
 
@@ -59,14 +63,14 @@ TEST_P(OneEffect, IsNamedAndNothingElseIs) {
 INSTANTIATE_TEST_SUITE_P(RatesSlice, OneEffect, testing::Range(0, 4));
 
 TEST(RatesSlice, NamesTwoEffectsAndNothingElse) {
-  const Count counted = count(LogClass::kTwo, kFirstSeed, 6);
+  const Count counted = count(LogClass::kTwo, kFirstSeed, logs(6));
   EXPECT_EQ(counted.wrong, 0) << counted.lines;
   EXPECT_EQ(counted.not_all, 0) << counted.lines;
 }
 
 // The goal of 2 % allows none in most draws.
 TEST(RatesSlice, NamesNoEffectForWhatIsOutsideTheLibrary) {
-  const Count counted = count(LogClass::kOutside, kFirstSeed, 4);
+  const Count counted = count(LogClass::kOutside, kFirstSeed, logs(4));
   EXPECT_EQ(counted.wrong, 0) << counted.lines;
 }
 
@@ -93,7 +97,7 @@ TEST(RatesSlice, AGapIsNoDelay) {
 }
 
 TEST(RatesSlice, CallsNothingCertainThatTheLogCannotTell) {
-  const Count counted = count(LogClass::kCannotTell, kFirstSeed, 4);
+  const Count counted = count(LogClass::kCannotTell, kFirstSeed, logs(4));
   EXPECT_EQ(counted.wrong, 0) << counted.lines;
 }
 
