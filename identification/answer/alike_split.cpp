@@ -25,9 +25,8 @@ struct LeftAsStated {
 };
 
 LeftAsStated left_as_stated(const Log& log, const Rig& rig,
-                            const std::vector<const actuator::Actuator*>& actuators) {
-  AnalysisOptions options;
-  options.select = false;
+                            const std::vector<const actuator::Actuator*>& actuators,
+                            const AnalysisOptions& options) {
   LeftAsStated left;
   for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
     for (const EquationResult& each : analyse(rig, log, joint, actuators, options)) {
@@ -52,11 +51,13 @@ std::vector<std::string> every_third_by_size(const std::map<std::string, double>
 
 }  // namespace
 
-void split_alike(Log& log, const Rig& rig,
-                 const std::vector<const actuator::Actuator*>& actuators) {
+void split_alike(Log& log, const Rig& rig, const std::vector<const actuator::Actuator*>& actuators,
+                 AnalysisOptions options) {
   const std::size_t runs = log.train_runs.size() + log.holdout_runs.size();
   if (!rig.holdout_runs.empty() || runs < kFewestRuns) return;
-  const LeftAsStated left = left_as_stated(log, rig, actuators);
+  options.select = false;
+  options.progress = nullptr;  // of the analysis that follows
+  const LeftAsStated left = left_as_stated(log, rig, actuators, options);
   if (left.by_run.size() != runs || left.train == 0.0 || left.holdout == 0.0) return;
   const double ratio = std::sqrt(left.holdout / left.train);
   if (ratio < kFarMore && ratio > 1.0 / kFarMore) return;

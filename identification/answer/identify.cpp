@@ -81,7 +81,7 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
   check_equations(log, rig);
   std::vector<const actuator::Actuator*> nominal;
   for (const JointActuator& each : actuators) nominal.push_back(&each.nominal.actuator);
-  split_alike(log, rig, nominal);
+  split_alike(log, rig, nominal, options.analysis);
   Identification found;
   found.findings = log.findings;
   found.train_runs = log.train_runs;

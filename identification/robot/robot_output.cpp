@@ -12,7 +12,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <span>
 
+#include "actuator/exporters/text.hpp"
 #include "robot/mjcf/mjcf_writer.hpp"
 #include "robot/urdf/urdf_writer.hpp"
 
@@ -39,12 +41,6 @@ std::vector<JointFields> fields_of(const RobotSubject& subject) {
   return all;
 }
 
-std::string commented(const std::vector<std::string>& lines, const char* mark) {
-  std::string text;
-  for (const std::string& each : lines) text += mark + each + "\n";
-  return text;
-}
-
 /// A number of Python; None where there is no limit.
 std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{}", value) : "None";
@@ -56,9 +52,9 @@ std::string general_text(const JointFields& joint) {
     limit = fmt::format(" forcelimited=\"true\" forcerange=\"-{0} {0}\"", joint.effort_Nm);
   }
   return fmt::format(
-      "        <general name=\"{0}\" joint=\"{0}\" gaintype=\"fixed\" biastype=\"affine\" "
+      "        <general name={0} joint={0} gaintype=\"fixed\" biastype=\"affine\" "
       "gainprm=\"{1}\" biasprm=\"0 -{1} -{2}\"{3}/>\n",
-      joint.name, joint.stiffness_Nm_rad, joint.damping_Nm_s_rad, limit);
+      actuator::xml_quoted(joint.name), joint.stiffness_Nm_rad, joint.damping_Nm_s_rad, limit);
 }
 
 /// Damping of gains and joints as the laws have it, and dry friction as stiff as steps allow: with
@@ -76,15 +72,14 @@ std::string mujoco_text(const RobotSubject& subject) {
     text.erase(at, text.find(end, at) + end.size() - at);
   }
   text.insert(text.find("<worldbody>"), kSettings);
-  std::string loops = "<!--\n";
-  for (const std::string& each : subject.origin) loops += each + "\n";
+  std::vector<std::string> lines = subject.origin;
   for (const JointFields& joint : fields_of(subject)) {
     if (joint.delay_s > 0.0) {
-      loops += fmt::format("{}: give the command {:g} s late; no field holds it\n", joint.name,
-                           joint.delay_s);
+      lines.push_back(fmt::format("{}: give the command {:g} s late; no field holds it", joint.name,
+                                  joint.delay_s));
     }
   }
-  loops += "-->\n    <actuator>\n";
+  std::string loops = actuator::xml_comment(lines) + "    <actuator>\n";
   for (const JointFields& joint : fields_of(subject)) loops += general_text(joint);
   text.insert(text.rfind("</mujoco>"), loops + "    </actuator>\n");
   return text;
@@ -92,20 +87,25 @@ std::string mujoco_text(const RobotSubject& subject) {
 
 std::string urdf_text(const RobotSubject& subject) {
   std::string text = hopper::urdf_of(subject.robot).text;
-  std::string comment = "<!--\n" + commented(subject.origin, "");
-  comment += "URDF holds damping and friction (<dynamics>); no rotor, gain or delay:\n";
+  std::vector<std::string> lines = subject.origin;
+  lines.emplace_back("URDF holds damping and friction (<dynamics>); no rotor, gain or delay:");
   for (const JointFields& each : fields_of(subject)) {
-    comment += fmt::format(
-        "{}: armature {:g} kg m2, stiffness {:g} Nm/rad, damping {:g} Nm s/rad, "
-        "delay {:g} s\n",
-        each.name, each.armature_kg_m2, each.stiffness_Nm_rad, each.damping_Nm_s_rad, each.delay_s);
+    lines.push_back(fmt::format(
+        "{}: armature {:g} kg m2, stiffness {:g} Nm/rad, damping {:g} Nm s/rad, delay {:g} s",
+        each.name, each.armature_kg_m2, each.stiffness_Nm_rad, each.damping_Nm_s_rad,
+        each.delay_s));
   }
-  text.insert(text.rfind("</robot>"), comment + "-->\n");
+  text.insert(text.rfind("</robot>"), actuator::xml_comment(lines));
   return text;
 }
 
+/// What matches the joint's name and nothing else.
+std::string expression(const std::string& name) {
+  return actuator::python_expressions(std::span(&name, 1));
+}
+
 std::string isaac_lab_text(const RobotSubject& subject) {
-  std::string text = commented(subject.origin, "# ");
+  std::string text = actuator::line_comment(subject.origin, "# ");
   text +=
       "from isaaclab.actuators import DelayedPDActuatorCfg\n\n\n"
       "def actuators(physics_step_s):\n"
@@ -113,18 +113,19 @@ std::string isaac_lab_text(const RobotSubject& subject) {
       "    return {\n";
   for (const JointFields& each : fields_of(subject)) {
     text += fmt::format(
-        "        \"{0}\": DelayedPDActuatorCfg(joint_names_expr=[\"{0}\"], stiffness={1}, "
+        "        {0}: DelayedPDActuatorCfg(joint_names_expr=[{8}], stiffness={1}, "
         "damping={2}, effort_limit={3}, armature={4}, friction={5}, dynamic_friction={5}, "
         "viscous_friction={6}, min_delay=round({7} / physics_step_s), "
         "max_delay=round({7} / physics_step_s)),\n",
-        each.name, each.stiffness_Nm_rad, each.damping_Nm_s_rad, number(each.effort_Nm),
-        each.armature_kg_m2, each.friction_Nm, each.viscous_Nm_s_rad, each.delay_s);
+        actuator::python_string(each.name), each.stiffness_Nm_rad, each.damping_Nm_s_rad,
+        number(each.effort_Nm), each.armature_kg_m2, each.friction_Nm, each.viscous_Nm_s_rad,
+        each.delay_s, expression(each.name));
   }
   return text + "    }\n";
 }
 
 std::string mjlab_text(const RobotSubject& subject) {
-  std::string text = commented(subject.origin, "# ");
+  std::string text = actuator::line_comment(subject.origin, "# ");
   text +=
       "from mjlab.actuator import BuiltinPositionActuatorCfg\n\n\n"
       "def actuators(physics_step_s):\n"
@@ -132,25 +133,25 @@ std::string mjlab_text(const RobotSubject& subject) {
       "    return (\n";
   for (const JointFields& each : fields_of(subject)) {
     text += fmt::format(
-        "        BuiltinPositionActuatorCfg(target_names_expr=(\"{0}\",), stiffness={1}, "
+        "        BuiltinPositionActuatorCfg(target_names_expr=({0},), stiffness={1}, "
         "damping={2}, effort_limit={3}, armature={4}, frictionloss={5}, viscous_damping={6}, "
         "delay_min_lag=round({7} / physics_step_s), delay_max_lag=round({7} / physics_step_s)),\n",
-        each.name, each.stiffness_Nm_rad, each.damping_Nm_s_rad, number(each.effort_Nm),
+        expression(each.name), each.stiffness_Nm_rad, each.damping_Nm_s_rad, number(each.effort_Nm),
         each.armature_kg_m2, each.friction_Nm, each.viscous_Nm_s_rad, each.delay_s);
   }
   return text + "    )\n";
 }
 
 std::string newton_text(const RobotSubject& subject) {
-  std::string text = commented(subject.origin, "# ");
+  std::string text = actuator::line_comment(subject.origin, "# ");
   text +=
       "# target_ke, target_kd, armature, friction, damping, effort limit; a delay of the command "
       "is "
       "the\n# caller's.\nJOINTS = {\n";
   for (const JointFields& each : fields_of(subject)) {
-    text += fmt::format("    \"{}\": ({}, {}, {}, {}, {}, {}),\n", each.name, each.stiffness_Nm_rad,
-                        each.damping_Nm_s_rad, each.armature_kg_m2, each.friction_Nm,
-                        each.viscous_Nm_s_rad, number(each.effort_Nm));
+    text += fmt::format("    {}: ({}, {}, {}, {}, {}, {}),\n", actuator::python_string(each.name),
+                        each.stiffness_Nm_rad, each.damping_Nm_s_rad, each.armature_kg_m2,
+                        each.friction_Nm, each.viscous_Nm_s_rad, number(each.effort_Nm));
   }
   return text +
          "}\n\n\ndef set_joints(builder):\n"

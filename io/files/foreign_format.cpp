@@ -37,7 +37,7 @@ constexpr std::array kFormats{
     Format{"\x80\x03"sv, ""sv, kPickle},
     Format{"\x80\x04"sv, ""sv, kPickle},
     Format{"\x80\x05"sv, ""sv, kPickle},
-    Format{"PAR1"sv, ""sv,
+    Format{"PAR1\x15"sv, ""sv,
            "a Parquet table: python3 -c \"import pandas; "
            "pandas.read_parquet('FILE').to_csv('FILE.csv', index=False)\""},
     Format{"\x89HDF\r\n\x1a\n"sv, ""sv,

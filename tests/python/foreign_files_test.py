@@ -89,10 +89,11 @@ class ForeignFiles(unittest.TestCase):
             self.sentence(self.path(name), kind)
 
     def test_text_is_none_of_them(self):
-        file = self.path("PAR.csv")
-        with open(file, "w") as out:
-            out.write("PKs,time_s\n1,0\n")
-        self.assertNotIn("is no text", self.check(file).stderr)
+        for name in ["PKs", "PAR1", "SQL"]:
+            file = self.path(name + ".csv")
+            with open(file, "w") as out:
+                out.write(name + ",time_s\n1,0\n")
+            self.assertNotIn("is no text", self.check(file).stderr)
 
 
 if __name__ == "__main__":
