@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 #include <numbers>
 
@@ -375,6 +376,33 @@ TEST(RobotFiles, LeaveInMuJoCoWhatWasPromised) {
     EXPECT_NE(text.find("a line"), std::string::npos) << each.name;
     EXPECT_NE(text.find("0.03"), std::string::npos) << each.name;
     EXPECT_NE(text.find("calf_joint"), std::string::npos) << each.name;
+  }
+}
+
+// Oracle: Python and its XML reader, which take the files whatever joints are called.
+TEST(RobotFiles, StandWhateverJointsAreCalled) {
+  if (std::system("python3 -c 'import ast' 2>/dev/null") != 0) {
+    GTEST_SKIP() << "python3 is not installed";
+  }
+  const Read read = read_leg(kStated, kStated);
+  const test::ScratchFolder folder;
+  RobotSubject subject{
+      hopper::robot_of(
+          io::read_document(folder.write("leg.json", test::leg_json(kStated).dump()), "robot"))
+          .robot,
+      read.rig.load.robot->bodies,
+      read.model.controllers,
+      {"a -- line\nof two"}};
+  subject.robot.tree.bodies[3].joint.name = "knee \"<left> -- \\1";
+  for (const RobotOutput& each : robot_outputs()) {
+    const std::string text = each.write(subject);
+    const bool is_xml = text.starts_with('<');
+    const std::string file = folder.write(std::string(each.name), text).string();
+    const std::string reader = is_xml
+                                   ? "import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])"
+                                   : "import sys, ast; ast.parse(open(sys.argv[1]).read())";
+    EXPECT_EQ(std::system(("python3 -c '" + reader + "' " + file).c_str()), 0) << each.name << "\n"
+                                                                               << text;
   }
 }
 
