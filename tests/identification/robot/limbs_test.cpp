@@ -231,9 +231,10 @@ TEST(RobotMotion, CommandsInDegreesAreRefused) {
 }
 
 /// Half a minute of two legs whose joints' commands are what their drives need to move so, where
-/// the base sways by this much and drives have another rotor than the model's.
+/// the base sways by this much and drives have another rotor than the model's. The right leg feels
+/// the left one's sway times `common`, and beside it another of its own times `own`.
 Log swaying_log(const Rig& rig, const RobotModel& model, double sway_rad, double rotor_error,
-                bool one_leg = false) {
+                double common = 1.0, double own = 0.0) {
   const std::size_t joints = rig.joints.size();
   identification::Run run;
   for (int i = 0; i < 6000; ++i) run.time_s.push_back(i / kSamplesPer_s);
@@ -256,11 +257,14 @@ Log swaying_log(const Rig& rig, const RobotModel& model, double sway_rad, double
     Eigen::MatrixXd mass(count, count);
     plant->mass_matrix(position, mass);
     plant->bias(position, speed, bias);
-    if (one_leg) {
-      Eigen::VectorXd still(count);
-      plant_of(model.load)->bias(position, speed, still);
-      for (const Eigen::Index right : {1, 3, 5}) bias[right] = still[right];
-    }
+    Load load_of_right = model.load;
+    load_of_right.pitch_rad +=
+        sway_rad * (common * std::sin(7.3 * time_s) + own * std::sin(5.3 * time_s));
+    load_of_right.roll_rad +=
+        sway_rad * (common * std::sin(4.1 * time_s) + own * std::sin(3.1 * time_s));
+    Eigen::VectorXd bias_of_right(count);
+    plant_of(load_of_right)->bias(position, speed, bias_of_right);
+    for (const Eigen::Index right : {1, 3, 5}) bias[right] = bias_of_right[right];
     const Eigen::VectorXd torque = bias + mass * acceleration;
     for (Eigen::Index i = 0; i < count; ++i) {
       const auto joint = static_cast<std::size_t>(i);
@@ -289,9 +293,15 @@ TEST(BaseMotion, IsSeenInBothLegs) {
   EXPECT_FALSE(held.moves()) << held.correlation << " " << held.share << " " << held.tilt_rad;
   EXPECT_FALSE(base_motion(swaying_log(rig, model, 0.0, 0.0), model).moves());
   // What pulls at one leg alone is no base.
-  const BaseMotion pulled = base_motion(swaying_log(rig, model, 0.2, 0.0, true), model);
+  const BaseMotion pulled = base_motion(swaying_log(rig, model, 0.2, 0.0, 0.0), model);
   EXPECT_GT(pulled.share, 0.3);
   EXPECT_FALSE(pulled.moves()) << pulled.correlation << " " << pulled.share;
+  // Nor is what pulls at each by itself, with a fourth of it in common.
+  const BaseMotion apart = base_motion(swaying_log(rig, model, 0.1, 0.0, 0.25, 0.97), model);
+  EXPECT_NEAR(apart.correlation, 0.25, 0.15);
+  EXPECT_GT(apart.share, 0.3);
+  EXPECT_GT(apart.tilt_rad, 0.02);
+  EXPECT_FALSE(apart.moves());
 }
 
 /// A gain of 20 that the log tells to `gain_error`, and a rotor that is 0.002 of it to one in a
