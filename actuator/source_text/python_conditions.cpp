@@ -115,9 +115,7 @@ class _GridOn:
             of.use(cells, most)
             most = of.most
         self.sides, self.last, self.per_width = most + 1, cells - 1, lines[0].per_width
-        self.has_one = most == 1
-        breaks = lines[0].breaks + lines[1].breaks
-        self.breaks = tools.floats([one for (one,) in breaks] if self.has_one else breaks)
+        self.breaks = tools.floats(_of_one_axis(lines[0].breaks + lines[1].breaks))
         first = len(lines[0].lines)
         self.numbers = tools.whole(lines[0].numbers + [first + i for i in lines[1].numbers])
         self.count = first + len(lines[1].lines)
@@ -149,6 +147,8 @@ class _GridOn:
 
     def limits(self, velocity, voltage, temperature):
         tools = self.tools
+        if tools.is_traced():
+            return self._limits_traced(velocity, voltage, temperature)
         v, by_voltage = self.voltages.cell(_array(tools, voltage))
         t, by_temperature = self.temperatures.cell(_array(tools, temperature))
         condition = v * max(1, self.temperatures.count - 1) + t
@@ -176,13 +176,42 @@ class _GridOn:
             xp.where(is_at_rest, greatest, bounds[..., 1]),
         ]
 
+    def _limits_traced(self, velocity, voltage, temperature):
+        """limits() by numbers of the velocity's shape alone, of which a compiler makes one kernel."""
+        tools, xp = self.tools, self.tools.xp
+        voltage, temperature = (
+            xp.broadcast_to(_array(tools, of), velocity.shape) for of in (voltage, temperature)
+        )
+        v, by_voltage = self.voltages.cell(voltage)
+        t, by_temperature = self.temperatures.cell(temperature)
+        condition = v * max(1, self.temperatures.count - 1) + t
+
+        def mixed(four):
+            first = tools.mixed(four(0), four(1), by_temperature)
+            return tools.mixed(first, tools.mixed(four(2), four(3), by_temperature), by_voltage)
+
+        points, found = self.corners.shape[2], []
+        for bound in (0, 1):
+            met = [mixed(lambda i: self.corners[:, bound, k, i][condition]) for k in range(points)]
+            parts = [
+                tools.clip((velocity - low) / tools.at_least(high - low, self.ramp), 0.0, 1.0)
+                for low, high in zip(met, met[1:])
+            ]
+            place = sum(parts[1:], parts[0])
+            cell = tools.cell(place * self.per_width, self.last) + bound * (self.last + 1)
+            row = cell * self.sides + tools.passed(self.breaks, cell, place)
+            row = self.numbers[row] + condition * self.count
+            x = place - self.torques[:, 0][row]
+            line = lambda i: self.torques[:, 1 + i][row] + x * self.torques[:, 5 + i][row]
+            ends = [mixed(lambda i: self.rest[:, bound, j, i][condition]) for j in (0, 1)]
+            still = (xp.minimum, xp.maximum)[bound](*ends)
+            found.append(xp.where(velocity == 0.0, still, mixed(line)))
+        return found
+
     def _row(self, place):
         tools = self.tools
         cell = tools.cell(place * self.per_width, self.last) + self.bound_cells
-        breaks = tools.take(self.breaks, cell)
-        if self.has_one:
-            return cell * self.sides + tools.count(place >= breaks)
-        return cell * self.sides + tools.xp.sum(tools.count(place[..., None] >= breaks), axis=-1)
+        return cell * self.sides + tools.passed(self.breaks, cell, place)
 
 
 def _array(tools, value):

@@ -24,6 +24,10 @@ class _Standard:
     def whole(self, values):
         return self.xp.asarray(values, dtype=self.xp.int32, **self.place)
 
+    def is_traced(self):
+        """Whether a compiler follows that makes one kernel of operations on arrays of one shape."""
+        return False
+
     def lies_outside(self, value, low, high):
         """Whether any of the values does, where that can be seen without waiting for a device."""
         if hasattr(value, "shape"):
@@ -36,6 +40,14 @@ class _Standard:
     def take(self, table, rows):
         flat = self.xp.take(table, self.xp.reshape(rows, (-1,)), axis=0)
         return self.xp.reshape(flat, tuple(rows.shape) + tuple(table.shape[1:]))
+
+    def passed(self, breaks, cell, place):
+        """How many of a cell's points a place has passed."""
+        if len(breaks.shape) == 1:
+            return self.count(place >= self.take(breaks, cell))
+        if self.is_traced():
+            return sum(self.count(place >= breaks[:, k][cell]) for k in range(breaks.shape[1]))
+        return self.xp.sum(self.count(place[..., None] >= self.take(breaks, cell)), axis=-1)
 
     def cell(self, place, last):
         """Which cell a place lies in; that of what is no number is some cell."""
@@ -123,6 +135,13 @@ class _Jax(_NumPy):
 
 
 class _Torch(_Standard):
+    def __init__(self, xp, dtype, device):
+        _Standard.__init__(self, xp, dtype, device)
+        self.has_compiler = hasattr(getattr(xp, "compiler", None), "is_compiling")
+
+    def is_traced(self):
+        return self.has_compiler and self.xp.compiler.is_compiling()
+
     def floats(self, values):
         with self.xp.inference_mode(False):
             return self.xp.tensor(values, dtype=self.dtype, **self.place)
@@ -149,7 +168,7 @@ class _Torch(_Standard):
         return place - whole
 
     def count(self, claims):
-        return claims
+        return claims.int() if self.is_traced() else claims
 
     def clip(self, array, low, high):
         return array.clamp(low, high)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace torquewright::actuator {
@@ -18,5 +19,8 @@ std::string_view python_tables();
 
 /// The same over voltage and temperature.
 std::string_view python_conditions();
+
+/// The same as one launch on a GPU.
+std::string python_launches();
 
 }  // namespace torquewright::actuator

@@ -240,10 +240,11 @@ constexpr std::string_view kSupply = R"(
 
 std::string python_source(bool has_friction) {
   std::string text;
-  for (const std::string_view part : {python_lines(), python_libraries(), python_tables(),
-                                      python_conditions(), std::string_view(kRegion)}) {
+  for (const std::string_view part :
+       {python_lines(), python_libraries(), python_tables(), python_conditions()}) {
     text += part;
   }
+  text += python_launches() + std::string(kRegion);
   return has_friction ? text + std::string(kFriction) + std::string(kSupply) : text;
 }
 

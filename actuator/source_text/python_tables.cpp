@@ -33,6 +33,7 @@ class RegionOn:
         elif region.grid is not None:
             self.conditions = _GridOn(region.grid, tools, self.is_single)
         self.drag = None if region.drag is None else _DragOn(region.drag, tools, self.is_single)
+        self.launch = _Launch.of(self)
 
     def _bounds(self, velocity):
         tools = self.tools
@@ -57,6 +58,10 @@ class RegionOn:
 
     def clip(self, torque, velocity, voltage=None, temperature=None, out=None):
         """The torque [Nm] within the limits at a velocity [rad/s]; see Region.clip()."""
+        if self.launch is not None and not self.tools.is_traced():
+            answer = self.launch.clip(torque, velocity, voltage, temperature, out)
+            if answer is not None:
+                return answer
         if self.tools.piece:
             return self._clip_in_pieces(torque, velocity, voltage, temperature, out)
         least, greatest = self.limits(velocity, voltage, temperature)
@@ -91,6 +96,10 @@ class RegionOn:
 
     def torque(self, torque, velocity, voltage=None, temperature=None):
         """The torque [Nm] that reaches the joint; see Region.torque()."""
+        if self.launch is not None and not self.tools.is_traced():
+            answer = self.launch.torque(torque, velocity, voltage, temperature)
+            if answer is not None:
+                return answer
         within = self.clip(torque, velocity, voltage, temperature)
         return within if self.drag is None else self.drag.through(within, velocity)
 
@@ -105,9 +114,7 @@ class _LinesOn:
         self.columns = len(lines.lines[0]) // 2
         self.is_laid_along, self.middle = lines.is_laid_along, 0.5 * (lines.low + lines.high)
         self.tools = tools
-        self.has_one = lines.most == 1
-        breaks = [one for (one,) in lines.breaks] if self.has_one else lines.breaks
-        self.breaks = tools.floats(breaks)
+        self.breaks = tools.floats(_of_one_axis(lines.breaks))
         rows = [lines.lines[i] for i in lines.numbers]
         self.rows = [tools.floats(of) for of in zip(*rows)] if tools.piece else tools.floats(rows)
 
@@ -123,15 +130,16 @@ class _LinesOn:
             cell = cell + is_second * (self.last - 2 * cell)
         else:
             cell = tools.cell((place - self.low) * self.per_width, self.last)
-        breaks = self.tools.take(self.breaks, cell)
-        if self.has_one:
-            return cell * self.sides + self.tools.count(place >= breaks)
-        passed = self.tools.count(place[..., None] >= breaks)
-        return cell * self.sides + self.tools.xp.sum(passed, axis=-1)
+        return cell * self.sides + self.tools.passed(self.breaks, cell, place)
 
     def at(self, place):
-        """The values of all columns at a place: of one gather, but where columns are quicker."""
+        """The values of all columns at a place: of one gather, but where columns are quicker, or a
+        compiler makes one kernel of what is of one shape."""
         tools, row, count = self.tools, self.row(place), self.columns
+        if tools.is_traced():
+            x = place - self.rows[:, 0][row]
+            columns = range(1, 1 + count)
+            return [self.rows[:, i][row] + x * self.rows[:, count + i][row] for i in columns]
         if tools.piece:
             x = place - self.rows[0].take(row)
             values, slopes = self.rows[1 : 1 + count], self.rows[1 + count :]
@@ -140,6 +148,11 @@ class _LinesOn:
         x = place[..., None] - line[..., 0:1]
         found = tools.line(line[..., 1 : 1 + count], line[..., 1 + count :], x)
         return [found[..., i] for i in range(count)]
+
+
+def _of_one_axis(breaks):
+    """The points of cells, as numbers where each has one."""
+    return [one for (one,) in breaks] if len(breaks[0]) == 1 else breaks
 
 
 class _DragOn:

@@ -11,6 +11,7 @@ that it prints.
 On a machine without PyTorch but for the CPU: --cpu, which checks the script and the numbers and
 whose times say nothing of a GPU."""
 
+import copy
 import importlib.util
 import pathlib
 import statistics
@@ -24,22 +25,27 @@ MANY = 10_000_000
 def loaded(file):
     spec = importlib.util.spec_from_file_location("region_" + pathlib.Path(file).stem, file)
     module = importlib.util.module_from_spec(spec)
+    sys.modules[spec.name] = module  # where a compiler looks for what it traces
     spec.loader.exec_module(module)
     return module.REGION
 
 
-def median_us(work, wait, repeats=200):
-    for _ in range(10):
-        work()
-    wait()
-    times = []
-    for _ in range(7):
-        begin = time.perf_counter()
-        for _ in range(repeats):
+def medians_us(ways, wait, repeats=100, rounds=15):
+    """Of each way a median over rounds, in which all take their turns: what slows the machine down
+    for a while slows them alike."""
+    for work in ways.values():
+        for _ in range(10):
             work()
-        wait()
-        times.append(1e6 * (time.perf_counter() - begin) / repeats)
-    return statistics.median(times)
+    wait()
+    times = {name: [] for name in ways}
+    for _ in range(rounds):
+        for name, work in ways.items():
+            begin = time.perf_counter()
+            for _ in range(repeats):
+                work()
+            wait()
+            times[name].append(1e6 * (time.perf_counter() - begin) / repeats)
+    return {name: statistics.median(took) for name, took in times.items()}
 
 
 class DcMotor:
@@ -61,12 +67,27 @@ class DcMotor:
         return torch.clip(effort, min=least, max=most)
 
 
-def worst_of(torch, region, speed):
-    """Of both bounds in single precision against double on the processor, of the peak torque."""
-    narrow = region.limits(speed)
-    wide = region.limits(speed.double().cpu())
-    off = [(one.double().cpu() - other).abs().max().item() for one, other in zip(narrow, wide)]
-    return max(off) / region.peak_torque_Nm
+def off_by(region, on, samples):
+    """Of what a region answers here in single precision against double on the processor, of the
+    peak torque: clip and torque, of the table and under conditions. Twice the peak is asked for,
+    each way, so that both bounds are answered."""
+    torque, velocity, volts, kelvins = (of.double().cpu() for of in samples)
+    most = {}
+    for name in ("clip", "torque"):
+        for place, there in {name: (None, None), name + " there": (volts, kelvins)}.items():
+            exact = getattr(region, name)(torque, velocity, *there)
+            found = getattr(on, name)(*samples[:2], *(samples[2:] if there[0] is not None else ()))
+            off = (found.double().cpu() - exact).abs().max().item()
+            most[place] = off / region.peak_torque_Nm
+    return ", ".join(f"{place} {off:.1e}" for place, off in most.items())
+
+
+def slopes_differ(torch, on, samples):
+    """Whether slopes are those of the plain way where they are asked for: the launches know none."""
+    torque, velocity = (of.clone().requires_grad_() for of in samples[:2])
+    on.clip(torque, velocity).sum().backward()
+    inside = torque.detach() == on.clip(torque, velocity).detach()
+    return not bool(torch.isfinite(velocity.grad).all() and (torque.grad.bool() == inside).all())
 
 
 def of_torch(torch, device, region, repeats):
@@ -81,30 +102,37 @@ def of_torch(torch, device, region, repeats):
     volts = region.voltage_V * (0.8 + 0.2 * drawn(ROBOTS, 1))
     kelvins = 320.0 + 20.0 * drawn(ROBOTS, 1)
     on = region.to(device, torch.float32)
+    plain = copy.copy(on)
+    plain.launch = None
     motor = DcMotor(torch, 4.0 * peak, end, peak, velocity)
-    copy = torch.empty_like(torque)
-    print(f"{region.name}: single precision off by {worst_of(torch, region, velocity):.2g} of the peak")
-    rows = {
-        "copy": lambda: copy.copy_(torque),
-        "DCMotor eager": lambda: motor(torque, velocity),
-        "clip eager": lambda: on.clip(torque, velocity),
-        "there eager": lambda: on.clip(torque, velocity, volts, kelvins),
-        "torque eager": lambda: on.torque(torque, velocity),
+    target = torch.empty_like(torque)
+    samples = torque, velocity, volts, kelvins
+    print(f"{region.name}: {'one launch' if on.launch else 'plain'}, off by "
+          f"{off_by(region, on, samples)}; the plain way by {off_by(region, plain, samples)}; "
+          f"slopes {'DIFFER' if slopes_differ(torch, on, samples) else 'stand'}")
+    ways = {
+        "DCMotor": lambda: motor(torque, velocity),
+        "clip": lambda: on.clip(torque, velocity),
+        "clip there": lambda: on.clip(torque, velocity, volts, kelvins),
+        "torque": lambda: on.torque(torque, velocity),
+        "torque there": lambda: on.torque(torque, velocity, volts, kelvins),
     }
-    if hasattr(torch, "compile") and device == "cuda":
-        fused_motor = torch.compile(motor, fullgraph=True)
-        fused = torch.compile(on.clip, fullgraph=True)
-        rows["DCMotor compiled"] = lambda: fused_motor(torque, velocity)
-        rows["clip compiled"] = lambda: fused(torque, velocity)
-        rows["there compiled"] = lambda: fused(torque, velocity, volts, kelvins)
-        rows["clip in a CUDA graph"] = graph_of(torch, lambda: on.clip(torque, velocity))
-    times = {name: median_us(work, wait, repeats) for name, work in rows.items()}
-    for name, took in times.items():
-        yardstick = "DCMotor compiled" if "compiled" in name or "graph" in name else "DCMotor eager"
-        ratio = took / times.get(yardstick, times["DCMotor eager"])
-        print(f"  {name:24}{took:10.1f} us{ratio:8.2f} of {yardstick}")
+    rows = {f"{name}, eager": way for name, way in ways.items()}
+    rows = {"copy": lambda: target.copy_(torque), **rows}
+    rows["REGION.clip, eager"] = lambda: region.clip(torque, velocity)
+    rows["plain clip, eager"] = lambda: plain.clip(torque, velocity)
+    rows["plain clip there, eager"] = lambda: plain.clip(torque, velocity, volts, kelvins)
     if device == "cuda":
-        of_many(torch, on, end, peak, wait)
+        for name, way in ways.items():
+            rows[f"{name}, compiled"] = torch.compile(way, fullgraph=True)
+        for name, way in ways.items():
+            rows[f"{name}, CUDA graph"] = graph_of(torch, way)
+    times = medians_us(rows, wait, repeats)
+    for name, took in times.items():
+        way = name.partition(", ")[2] or "eager"
+        print(f"  {name:26}{took:9.1f} us{took / times['DCMotor, ' + way]:8.2f} of DCMotor {way}")
+    if device == "cuda":
+        of_many(torch, region, on, end, peak, wait)
 
 
 def graph_of(torch, work):
@@ -118,19 +146,29 @@ def graph_of(torch, work):
     return graph.replay
 
 
-def of_many(torch, on, end, peak, wait):
+def of_many(torch, region, on, end, peak, wait):
     """So many samples that the memory's speed decides: the yardstick is a copy."""
     velocity = torch.rand(MANY, device="cuda") * 2.4 * end - 1.2 * end
     torque = torch.rand(MANY, device="cuda") * 3.0 * peak - 1.5 * peak
-    copy = torch.empty_like(torque)
-    base = median_us(lambda: copy.copy_(torque), wait, 20)
-    for name, work in {"eager": on.clip, "compiled": torch.compile(on.clip, fullgraph=True)}.items():
-        work(torque, velocity)
+    target = torch.empty_like(torque)
+    volts = region.voltage_V * (0.8 + 0.2 * torch.rand(MANY, device="cuda"))
+    kelvins = 300.0 + 40.0 * torch.rand(MANY, device="cuda")
+    fused = torch.compile(on.clip, fullgraph=True)
+    ways = {
+        "copy": lambda: target.copy_(torque),
+        "clip, eager": lambda: on.clip(torque, velocity),
+        "clip, compiled": lambda: fused(torque, velocity),
+        "clip there, eager": lambda: on.clip(torque, velocity, volts, kelvins),
+    }
+    times = medians_us(ways, wait, 10)
+    for name, work in ways.items():
         torch.cuda.reset_peak_memory_stats()
         before = torch.cuda.memory_allocated()
-        took = median_us(lambda: work(torque, velocity), wait, 20)
+        work()
         more = (torch.cuda.max_memory_allocated() - before) / (4.0 * MANY)
-        print(f"  1e7 {name:20}{took:10.1f} us{took / base:8.2f} copies, {more:.1f} arrays of memory")
+        took = times[name]
+        print(f"  {'1e7 ' + name:26}{took:9.1f} us{took / times['copy']:8.2f} copies, {more:.1f} "
+              "arrays of memory")
 
 
 def of_jax(region):
@@ -153,13 +191,42 @@ def of_jax(region):
         least = jnp.maximum(stall * (-1.0 - speed / end), -cap)
         return jnp.clip(effort, least, most)
 
-    times = {}
-    for name, work in {"DCMotor": motor, "clip": region.clip}.items():
-        jitted = jax.jit(work)
-        times[name] = median_us(lambda: jitted(torque, velocity).block_until_ready(), lambda: None)
+    volts = region.voltage_V * jnp.linspace(0.6, 1.0, ROBOTS)[:, None]
+    kelvins = jnp.linspace(300.0, 340.0, ROBOTS)[:, None]
+    ways = {
+        "DCMotor": motor,
+        "clip": region.clip,
+        "clip there": lambda t, w: region.clip(t, w, volts, kelvins),
+        "torque": region.torque,
+    }
+    last = [None]
+
+    def kept(jitted):
+        def call():
+            last[0] = jitted(torque, velocity)
+
+        return call
+
+    calls = {name: kept(jax.jit(work)) for name, work in ways.items()}
+    times = medians_us(calls, lambda: last[0].block_until_ready())
     slopes = jax.grad(lambda w: region.clip(torque, w).sum())(velocity)
-    print(f"  JAX clip {times['clip']:.1f} us, {times['clip'] / times['DCMotor']:.2f} of DCMotor jitted;"
-          f" slopes finite: {bool(jnp.isfinite(slopes).all())}")
+    for name, took in times.items():
+        print(f"  {name + ', JAX jit':26}{took:9.1f} us{took / times['DCMotor']:8.2f} of DCMotor JAX jit")
+    print(f"  JAX slopes finite: {bool(jnp.isfinite(slopes).all())}")
+
+
+def of_cupy(region):
+    try:
+        import cupy
+    except ImportError:
+        print("  CuPy: not installed")
+        return
+    velocity = cupy.linspace(-1.2, 1.2, 1001) * region.table["speed_rad_s"][-1]
+    torque = 2.0 * region.peak_torque_Nm * cupy.where(cupy.arange(1001) % 2 == 0, 1.0, -1.0)
+    off = cupy.asnumpy(region.clip(torque, velocity)) - region.clip(
+        cupy.asnumpy(torque), cupy.asnumpy(velocity)
+    )
+    print(f"  CuPy off NumPy by {abs(off).max() / region.peak_torque_Nm:.1e} of the peak")
 
 
 def main():
@@ -177,8 +244,9 @@ def main():
           "DCMotor's, compiled 1, JAX 1.5, 1e7 4 copies compiled")
     for file in files:
         region = loaded(file)
-        of_torch(torch, device, region, 200 if device == "cuda" else 3)
+        of_torch(torch, device, region, 100 if device == "cuda" else 3)
         of_jax(region)
+        of_cupy(region)
     return 0
 
 

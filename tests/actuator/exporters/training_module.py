@@ -45,7 +45,7 @@ def worst(found, expected, peak):
     ) / peak
 
 
-def off_its_law(region, samples):
+def off_its_law(file, region, samples):
     """Of both bounds, as shares of the peak torque, by library and precision."""
     peak = region.peak_torque_Nm
     speed = numpy.asarray(samples["velocity_rad_s"])
@@ -62,6 +62,75 @@ def off_its_law(region, samples):
     if torch is not None:
         facts["torch"] = worst(region.limits(torch.tensor(narrow)), expected, peak)
         facts["launches"] = launches(region)
+        facts["one_launch"], facts["one_kernel"] = other_ways(loaded_with_launch(file), samples)
+    return facts
+
+
+def loaded_with_launch(file):
+    """A region whose launches run on the processor, in the language as triton_stub speaks it."""
+    import contextlib
+
+    sys.path.insert(0, str(pathlib.Path(__file__).parent / "triton_stub"))
+    module = loaded(file)
+    on = module.REGION.to("cpu", torch.float32)
+    on.launch = module._Launch(on)
+    torch.cuda.device = contextlib.nullcontext  # the processor is no CUDA device
+    return on
+
+
+def samples_of(on, samples):
+    """Torques and speeds of six joints and their conditions by robot, with some of no number."""
+    rows = len(samples["velocity_rad_s"]) // 6
+    shaped = lambda name: torch.tensor(samples[name][: 6 * rows]).reshape(rows, 6)
+    velocity, volts, kelvins = map(shaped, ("velocity_rad_s", "voltage_V", "temperature_K"))
+    torque = 1.5 * max(samples["greatest_Nm"]) * torch.sin(torch.arange(6.0 * rows)).reshape(rows, 6)
+    torque[1, 0] = velocity[1, 1] = volts[2, 0] = float("nan")
+    return torque, velocity, volts[:, :1].contiguous(), kelvins
+
+
+def other_ways(on, samples):
+    """How far off the plain way are, as shares of the peak torque, the launches and what a compiler
+    traces: clip and torque, of the table and under conditions, as arrays and numbers."""
+    torque, velocity, volts, kelvins = samples_of(on, samples)
+    launch, off = on.launch, {"launch": 0.0, "traced": 0.0}
+    for name in ("clip", "torque"):
+        for there in ((), (volts, kelvins), (None, kelvins), (on.voltage_V, None)):
+            found = {}
+            for way in ("launch", "plain", "traced"):
+                on.launch = launch if way == "launch" else None
+                on.tools.is_traced = lambda way=way: way == "traced"
+                found[way] = getattr(on, name)(torque, velocity, *there)
+            for way in off:
+                if not torch.equal(found[way].isnan(), found["plain"].isnan()):
+                    off[way] = float("inf")
+                gap = (found[way] - found["plain"]).nan_to_num().abs().max().item()
+                off[way] = max(off[way], gap / max(samples["greatest_Nm"]))
+    on.launch = launch
+    return off["launch"], off["traced"]
+
+
+def what_launches_leave(file):
+    """Who takes a call: a launch, or the plain way."""
+    on = loaded_with_launch(file)
+    torque, velocity = torch.full((4, 2), 1000.0), torch.full((4, 2), 9.0)
+    volts = torch.full((4, 1), 60.0)
+    taken = lambda *of, out=None: on.launch.clip(*of, *[None] * (4 - len(of)), out) is not None
+    steep = velocity.clone().requires_grad_()
+    into = torch.zeros(4, 2)
+    facts = {
+        "plain": taken(torque, velocity),
+        "by_robot": taken(torque, velocity, volts, 300.0),
+        "number": taken(1000.0, velocity),
+        "row": taken(torque[:1], velocity),
+        "double": taken(torque.double(), velocity),
+        "turned": taken(torque.T.contiguous().T, velocity),
+        "empty": taken(torque[:0], velocity[:0]),
+        "other_shape": taken(torque, velocity, volts[:2]),
+        "slopes": taken(torque, steep),
+        "written": on.clip(torque, velocity, out=into) is into and bool((into > 0.0).all()),
+    }
+    with torch.no_grad():
+        facts["no_slopes"] = taken(torque, steep)
     return facts
 
 
@@ -255,11 +324,13 @@ def stepped(region):
 facts = {"laws": {}}
 for file in sorted(folder.glob("*.json")):
     region = loaded(file.with_suffix(".py")).REGION
-    facts["laws"][file.stem] = off_its_law(region, json.loads(file.read_text()))
+    facts["laws"][file.stem] = off_its_law(file.with_suffix(".py"), region, json.loads(file.read_text()))
 knee = loaded(folder / "knee.py").REGION
 facts["stepped"] = stepped(loaded(folder / "heated.py").REGION)
 facts["start"] = start_of_isaac_lab()
 facts["numbers"] = numbers(knee)
 facts["cupy"] = like_cupy(knee)
+if torch is not None:
+    facts["left"] = what_launches_leave(folder / "knee.py")
 facts["flagged"] = flagged(loaded(folder / "knee.py").REGION)
 print(json.dumps(facts))

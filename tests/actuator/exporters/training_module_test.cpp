@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The exported module as training scripts use it (training_module.py), for every example actuator.
 // Oracles: the region's table by its own search (table_law.hpp); over voltage and temperature the
-// region itself where one line of the winding is it, else the grid in C++; numbers by hand; what
+// region itself where one line of the winding is it, else the grid in C++; of the launches on a GPU
+// and of what a compiler traces the plain way, in triton_stub's language; numbers by hand; what
 // Isaac Lab does with a configuration by the rules of its public sources (python_classes.cpp).
 #include <gtest/gtest.h>
 
@@ -185,6 +186,8 @@ TEST_F(TrainingModule, IsItsLawForEveryExampleInBothPrecisions) {
     EXPECT_LE(law.at("single_there"), is_upright ? kSingleUpright : kSingleThere);
     if (!has_torch_) continue;
     EXPECT_LE(law.at("torch"), kSingle);
+    EXPECT_LE(law.at("one_launch"), is_upright ? kSingleUpright : kSingleThere);
+    EXPECT_LE(law.at("one_kernel"), is_upright ? kSingleUpright : kSingleThere);
   }
 }
 
@@ -230,6 +233,16 @@ TEST_F(TrainingModule, CarriesHeatAndTheSharedSupplyAlong) {
   const double slope = stepped.at("slopes")[1];
   EXPECT_NEAR(stepped.at("slopes")[0].get<double>(), slope, 1e-6 * std::abs(slope));
   EXPECT_GT(slope, 0.0);
+}
+
+// What a launch does not know is found the plain way: slopes, other shapes, other precisions.
+TEST_F(TrainingModule, LaunchesTakeWhatTheyKnow) {
+  if (!has_torch_) GTEST_SKIP() << "python3-torch is not installed";
+  const json expected = {{"plain", true},   {"by_robot", true},     {"number", false},
+                         {"row", false},    {"double", false},      {"turned", false},
+                         {"empty", false},  {"other_shape", false}, {"slopes", false},
+                         {"written", true}, {"no_slopes", true}};
+  EXPECT_EQ(said().facts.at("left"), expected);
 }
 
 TEST_F(TrainingModule, StartsInIsaacLab) {
