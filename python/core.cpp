@@ -21,8 +21,8 @@ namespace {
 
 namespace py = pybind11;
 
-py::tuple run_words(const std::vector<std::string>& words) {
-  const Answer answer = run(words);
+py::tuple run_words(const std::vector<std::string>& words, const py::object& progress) {
+  const Answer answer = run(words, progress);
   return py::make_tuple(static_cast<int>(answer.code), text_of(answer.text));
 }
 
@@ -39,7 +39,8 @@ PYBIND11_MODULE(_core, module) {
   using namespace torquewright::python;
   translate_refusals();
   module.attr("version") = std::string(io::tool_version());
-  module.def("run", &run_words, "Run a command of the program: its exit code and what it printed.");
+  module.def("run", &run_words, py::arg("words"), py::arg("progress") = py::none(),
+             "Run a command of the program: its exit code and what it printed.");
   module.def("read", &read_file, "A document of any kind, checked, as JSON.");
   py::class_<RegionClip>(module, "RegionClip")
       .def(py::init<const Numbers&, const Numbers&, const Numbers&, double>())

@@ -49,6 +49,8 @@ void catch_interrupt() {
 
 bool is_interrupted() { return interrupted != 0; }
 
+void interrupt_forwarded() { interrupted = 1; }
+
 ForwardedInterrupt::ForwardedInterrupt() {
   interrupted = 0;
   is_forwarding = true;

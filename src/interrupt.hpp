@@ -9,6 +9,9 @@ namespace torquewright::cli {
 void catch_interrupt();
 bool is_interrupted();
 
+/// As Ctrl-C does while the work is done inside another program.
+void interrupt_forwarded();
+
 /// While one lives, the program's work is done inside another program (an interpreter): Ctrl-C is
 /// noted, and goes on to the handler that was there before, on which catch_interrupt() then has no
 /// effect. Where nobody handled it, nothing changes. At most one at a time.

@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
 
 version: str
 
-def run(words: list[bytes]) -> tuple[int, str]: ...
+def run(
+    words: list[bytes], progress: Callable[[str], object] | None = None
+) -> tuple[int, str]: ...
 def read(file: bytes) -> str: ...
 
 class RegionClip:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import functools
 import itertools
 import json
 import math
@@ -12,13 +13,16 @@ import re
 import tempfile
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Optional
 
 from . import _core
 from ._arrays import write_table
 from ._refusal import Fault, Refusal, refuse
 from ._results import Result, result_of
 
+
+#: A function that hears how far long work is, in the words that a terminal shows.
+Progress = Optional[Callable[[str], object]]
 
 _LONGEST_STEM = 60
 
@@ -32,6 +36,7 @@ class Question:
         self._arguments: list[str] = []
         self._options: list[str] = []
         self._keywords: dict[str, str] = {}
+        self._progress: Progress = None
         self._folder = tempfile.TemporaryDirectory(prefix="torquewright_")
 
     def __enter__(self) -> Question:
@@ -100,13 +105,20 @@ class Question:
         if value:
             self._options.append(option)
 
+    def progress(self, heard: Progress) -> None:
+        """Who hears how far long work is."""
+        if heard is not None and not callable(heard):
+            raise refuse("progress", f"is {heard!r}; must be a function of a text")
+        self._progress = heard
+
     def answer(self) -> Result:
         """What the program prints for this command with --json."""
         return result_of(json.loads(self.printed("--json")))
 
     def printed(self, *flags: str) -> str:
         words = [*self._command, *self._arguments, *self._options, *flags]
-        _, text = self._in_our_words(_core.run, [os.fsencode(word) for word in words])
+        run = functools.partial(_core.run, progress=self._progress)
+        _, text = self._in_our_words(run, [os.fsencode(word) for word in words])
         return text.replace(json.dumps(self._folder.name + os.sep)[1:-1], "")
 
     def read(self, name: str, source: Any) -> dict[str, Any]:

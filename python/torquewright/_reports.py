@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from typing import Any, Union
 
 from ._actuator import Actuator, Source, add_conditions
-from ._question import Question, path_word
+from ._question import Progress, Question, path_word
 from ._refusal import refuse
 from ._results import Result
 
@@ -100,6 +100,7 @@ def hopper_check(
     state_of_charge: float | None = None,
     winding_temperature_K: float | None = None,
     rating: str = "peak",
+    progress: Progress = None,
 ) -> Result:
     """Can the whole robot do this motion? Dynamics, mechanisms, regions, heat, gear loads.
 
@@ -107,6 +108,7 @@ def hopper_check(
     ``check``, with the base (``base_x_position_m``, ``base_z_position_m``,
     ``base_pitch_position_rad``). ``candidates``: a folder of actuators and gearboxes to try in
     every place. The others as for ``check``, conditions as for ``Actuator.region``.
+    ``progress``: a function that hears how far long work is, in a terminal's words.
 
     Returns the document of kind ``check_report``: what ``hopper check --json`` prints.
 
@@ -118,6 +120,7 @@ def hopper_check(
     'pass'
     """
     with Question("hopper", "check") as question:
+        question.progress(progress)
         _add_reading(question, columns, from_s, until_s)
         question.text("candidates", "--candidates", candidates)
         question.count("repeat", "--repeat", repeat)
@@ -138,6 +141,7 @@ def identify(
     tolerance: float | None = None,
     empirical: bool = False,
     refined: str | os.PathLike[str] | None = None,
+    progress: Progress = None,
 ) -> Result:
     """Is the model true, and if not, which effect is missing?
 
@@ -147,6 +151,7 @@ def identify(
     effects that may, or may not, be named. ``tolerance``: what changes the prediction by a smaller
     share is not named; 0 to 1. ``empirical``: where no effect fits, a table. ``refined``: a file
     to be written, the actuator with what was found (not for a serial arm).
+    ``progress``: a function that hears how far long work is, in a terminal's words.
 
     Returns the document of kind ``identification_report``: what ``identify --json`` prints.
 
@@ -158,6 +163,7 @@ def identify(
     'explained'
     """
     with Question("identify") as question:
+        question.progress(progress)
         tables = logs if isinstance(logs, (list, tuple)) else [logs]
         for i, log in enumerate(tables):
             question.argument(question.table("log" if len(tables) == 1 else f"log_{i + 1}", log))
@@ -186,12 +192,14 @@ def optimize(
     time_limit_s: float | None = None,
     max_nodes: int | None = None,
     verify: bool = False,
+    progress: Progress = None,
 ) -> Result:
     """The best gearbox of a problem, proved.
 
     ``problem``: a document of kind ``gearbox_problem`` (``module_mm``, ``target_ratio``, ...).
     ``top``: how many of the best designs. ``time_limit_s``, ``max_nodes``: where the search ends
     with what it has. ``verify``: check the proof with the independent checker.
+    ``progress``: a function that hears how far long work is, in a terminal's words.
 
     Returns the document of kind ``gearbox_result``: what ``gearbox optimize --json`` prints;
     ``status`` is ``"optimal"``, ``"infeasible"`` or ``"limit"``.
@@ -202,6 +210,7 @@ def optimize(
     44
     """
     with Question("gearbox", "optimize") as question:
+        question.progress(progress)
         question.count("top", "--top", top)
         question.number("time_limit_s", "--time-limit", time_limit_s)
         question.count("max_nodes", "--max-nodes", max_nodes)

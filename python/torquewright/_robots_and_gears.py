@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from ._actuator import Source
-from ._question import Question, finite_number
+from ._question import Progress, Question, finite_number
 from ._refusal import refuse
 from ._reports import Table, optimize
 from ._results import Result
@@ -68,12 +68,13 @@ def strength(
 
 def flip(
     robot: Source, *, motion: str | os.PathLike[str] | None = None, task: str | None = None,
-    limits: str | None = None,
+    limits: str | None = None, progress: Progress = None,
 ) -> Result:
     """A flip, a jump or a hop that the robot's actuators can do, planned.
 
     ``robot``: the document of kind ``robot``. ``motion``: a file for the motion, CSV. ``task``:
     ``"flip"``, ``"jump"`` or ``"hop"``. ``limits``: ``"mor"``, the drives' regions, or ``"box"``.
+    ``progress``: a function that hears how far long work is, in a terminal's words.
 
     Returns the report: what ``hopper flip --json`` prints, torques in it in Nm (``_Nm``). Ctrl-C
     ends the search.
@@ -85,6 +86,7 @@ def flip(
     torquewright.Refusal: task: ...
     """
     with Question("hopper", "flip") as question:
+        question.progress(progress)
         question.text("task", "--task", task)
         question.text("limits", "--limits", limits)
         question.text("motion", "--output", motion)
@@ -101,12 +103,14 @@ def replay(
     limits: str | None = None,
     trials: int | None = None,
     seed: int | None = None,
+    progress: Progress = None,
 ) -> Result:
     """Whether the robot does the motion, simulated and controlled.
 
     ``robot``: the document of kind ``robot``. ``motion``: a CSV file, or columns of arrays, as for ``hopper_check``, or the file of a policy.
     ``controller``, ``engine``, ``limits``: the words of ``hopper replay --help``. ``trials``,
     ``seed``: of robots that are not quite what their document says.
+    ``progress``: a function that hears how far long work is, in a terminal's words.
 
     Returns the document of kind ``replay_report``: what ``hopper replay --json`` prints, torques
     in it in Nm (``_Nm``).
@@ -120,6 +124,7 @@ def replay(
     if isinstance(motion, dict) and motion.get("kind") == "policy":
         raise refuse("motion", "is the dictionary of a policy; must be its file")
     with Question("hopper", "replay") as question:
+        question.progress(progress)
         question.text("controller", "--controller", controller)
         question.text("engine", "--engine", engine)
         question.text("limits", "--limits", limits)

@@ -48,6 +48,29 @@ class Interrupt(unittest.TestCase):
 
         self.expect_interrupted(work)
 
+    # What the function raises comes out, as Ctrl-C does: work is left where it shows its progress.
+    def test_progress_is_heard_and_ends_the_work(self):
+        heard = []
+
+        def listen(text):
+            heard.append(text)
+            if len(heard) == 3:
+                raise LookupError("enough")
+
+        with self.assertRaisesRegex(LookupError, "enough"):
+            torquewright.optimize(long_problem(), progress=listen)
+        self.assertEqual(len(heard), 3)
+        self.assertTrue(all(isinstance(text, str) and text for text in heard))
+        with self.assertRaisesRegex(torquewright.Refusal, "progress: is 3; must be a function"):
+            torquewright.optimize(long_problem(), progress=3)
+
+    def test_progress_asks_no_question_itself(self):
+        def ask(text):
+            torquewright.lint(BENCH[2])
+
+        with self.assertRaisesRegex(RuntimeError, "may ask no question itself"):
+            torquewright.optimize(long_problem(), progress=ask)
+
     def test_leaves_the_interpreter_as_it_was(self):
         with self.assertRaises(KeyboardInterrupt):
             self.interrupt_soon(0.2)

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "src/interrupt.hpp"
 #include "src/sweep/sweep.hpp"
@@ -22,13 +23,24 @@ int columns() {
   return (is_known ? size.ws_col : kUsual) - kTyped;
 }
 
+std::function<void(const std::string&)>& listener() {
+  static std::function<void(const std::string&)> living;
+  return living;
+}
+
 }  // namespace
+
+ProgressListener::ProgressListener(std::function<void(const std::string&)> heard) {
+  listener() = std::move(heard);
+}
+ProgressListener::~ProgressListener() { listener() = nullptr; }
 
 ProgressLine::ProgressLine() : is_watched_(isatty(STDERR_FILENO) == 1 && !sweep::is_silent()) {}
 ProgressLine::~ProgressLine() { write(""); }
 
 void ProgressLine::show(const std::string& text) {
   cli::leave_if_interrupted();
+  if (listener()) return listener()(text);
   write(text);
 }
 
