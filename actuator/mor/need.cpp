@@ -15,7 +15,6 @@ constexpr double kNeedTolerance = 1e-9;  // of what is sought
 // steps is not found.
 constexpr int kFactorsTried = 240;
 constexpr int kRatiosTried = 240;
-constexpr double kPowerTolerance = 1e-6;  // of the speed range
 
 /// Distance of the torque to the nearer bound; negative outside, but not by what rounding may miss.
 /// Minus infinity in an empty range.
@@ -128,34 +127,12 @@ std::optional<double> nearest_ratio(const Actuator& actuator, const OperatingCon
   return std::nullopt;
 }
 
-/// Driving torque that is left at a speed; 0 where none is.
-double driving_Nm(const Region& region, double speed_rad_s) {
-  const JointRange range = region.at(speed_rad_s, 1.0);
-  return range.is_empty ? 0.0 : std::max(0.0, range.greatest.torque_Nm);
-}
-
 RatioRow ratio_row(const Actuator& actuator, const OperatingConditions& conditions,
                    const std::optional<Need>& need) {
   const Region region(actuator, conditions);
   RatioRow row;
   row.ratio = actuator.transmission.ratio;
-  row.stall_torque_Nm = driving_Nm(region, 0.0);
-  const double end_rad_s = region.greatest_speed_rad_s();
-  const auto drives = [&](double speed_rad_s) {
-    return driving_Nm(region, speed_rad_s) > 0.0 ? 1.0 : -1.0;
-  };
-  if (row.stall_torque_Nm > 0.0) {
-    row.no_load_speed_rad_s =
-        drives(end_rad_s) > 0.0
-            ? end_rad_s
-            : last_nonnegative(drives, 0.0, end_rad_s, kNeedTolerance * end_rad_s);
-  }
-  const auto power_W = [&](double speed_rad_s) {
-    return speed_rad_s * driving_Nm(region, speed_rad_s);
-  };
-  row.power_speed_rad_s =
-      greatest_point(power_W, 0.0, row.no_load_speed_rad_s, kPowerTolerance * end_rad_s);
-  row.greatest_power_W = power_W(row.power_speed_rad_s);
+  row.driving = driving_figures(region);
   row.reflected_inertia_kg_m2 = actuator.transmission.inertia_kg_m2 +
                                 row.ratio * row.ratio * actuator.motor.rotor_inertia_kg_m2;
   if (need) row.margin_Nm = margin_Nm(region.at(need->speed_rad_s), need->torque_Nm);

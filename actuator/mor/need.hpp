@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "actuator/mor/region_summary.hpp"
 #include "actuator/region/joint_region.hpp"
 
 namespace torquewright::actuator {
@@ -38,10 +39,7 @@ NeedAnswer answer_need(
 /// What one ratio would make of the same motor, drive and losses.
 struct RatioRow {
   double ratio = 0.0;
-  double stall_torque_Nm = 0.0;      ///< Greatest driving torque at rest.
-  double no_load_speed_rad_s = 0.0;  ///< Highest speed at which some torque still drives.
-  double greatest_power_W = 0.0;     ///< Mechanical, driving.
-  double power_speed_rad_s = 0.0;    ///< Where it is.
+  DrivingFigures driving;
   double reflected_inertia_kg_m2 = 0.0;
   std::optional<double> margin_Nm;  ///< At the need, if one was given.
 };

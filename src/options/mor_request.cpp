@@ -41,7 +41,8 @@ void add_questions(command_line::Command& command, MorRequest& request) {
   compare.excludes("--need").excludes("--ratio");
   compare.excludes("--plot-voltage").excludes("--plot-temperature");
   for (command_line::Option* question : {&need, &ratio, &compare}) {
-    for (const char* other : {"--format", "--at-speed", "--accuracy"}) question->excludes(other);
+    for (const char* other : {"--format", "--table", "--at-speed", "--accuracy"})
+      question->excludes(other);
   }
   for (command_line::Option* question : {&need, &ratio}) {
     question->excludes("--plot").excludes("--side");
@@ -81,8 +82,10 @@ void add_mor_options(command_line::Command& command, MorRequest& request) {
           "Where torque and speed are taken: joint, or motor (at the rotor, before friction)")
       .one_of({"joint", "motor"});
   command.add_option("--format,--for", request.format, "Write csv, json or a simulator's file")
-      .otherwise("csv")
+      .otherwise("the region on one screen")
       .one_of(mor_formats());
+  command.add_flag("--table", request.table, "Print the region's rows, as --format csv")
+      .excludes("--format");
   command
       .add_option("--fit", request.fit,
                   "How a simulator's law that cannot take the region's shape is fitted to it: "

@@ -36,6 +36,7 @@ struct MorRequest {
   std::string output_file;
   std::string export_file;
   MorPlotOptions plot;
+  bool table = false;
   bool json = false;
 };
 

@@ -143,9 +143,9 @@ TEST(RatioSweep, GivesTheClosedFormsOfTheLine) {
   ASSERT_EQ(rows.size(), 3u);
   EXPECT_NEAR(rows[1].ratio, 10.0, 1e-12);
   for (const RatioRow& row : rows) {
-    EXPECT_NEAR(row.stall_torque_Nm, 20.0 * row.ratio, 1e-9);
-    EXPECT_NEAR(row.no_load_speed_rad_s, 100.0 / row.ratio, 1e-6);
-    EXPECT_NEAR(row.greatest_power_W, 1200.0, 1e-2);
+    EXPECT_NEAR(row.driving.stall_torque_Nm, 20.0 * row.ratio, 1e-9);
+    EXPECT_NEAR(row.driving.no_load_speed_rad_s, 100.0 / row.ratio, 1e-6);
+    EXPECT_NEAR(row.driving.greatest_power_W, 1200.0, 1e-2);
   }
   EXPECT_NEAR(*rows[1].margin_Nm, 100.0, 1e-9);
 }
@@ -168,9 +168,9 @@ TEST(RatioSweep, SaysThatFrictionHoldsTheMotor) {
   Actuator actuator = round_actuator();
   actuator.effects.push_back(effect("coulomb_friction", {250.0}));
   for (const RatioRow& row : ratio_sweep(actuator, {}, 5.0, 10.0, 2, std::nullopt)) {
-    EXPECT_EQ(row.stall_torque_Nm, 0.0);
-    EXPECT_EQ(row.no_load_speed_rad_s, 0.0);
-    EXPECT_EQ(row.greatest_power_W, 0.0);
+    EXPECT_EQ(row.driving.stall_torque_Nm, 0.0);
+    EXPECT_EQ(row.driving.no_load_speed_rad_s, 0.0);
+    EXPECT_EQ(row.driving.greatest_power_W, 0.0);
   }
 }
 

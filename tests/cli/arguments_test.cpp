@@ -149,8 +149,7 @@ std::vector<BadArguments> bad_arguments() {
         "300"},
        "command line: --plot-temperature excludes --compare"},
       {{"actuator", "mor", "a.json", "--plot", "x.svg", "--accuracy", "0.1"},
-       "--accuracy: is of rows, and a picture alone has none; ask for them with --format, --json "
-       "or "
+       "--accuracy: is of rows, and a picture alone has none; ask for them with --table, --json or "
        "-o"},
       {teeth("500000,500000,400000"),
        "knee.json: --teeth 500000,500000,400000 makes rings of "

@@ -3,6 +3,8 @@
 // file's name ends in is what is in it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/cli/workplace.hpp"
 
 namespace torquewright::cli_test {
@@ -38,6 +40,25 @@ TEST(MorOptions, OnesThatWouldBeDroppedAreRefused) {
     EXPECT_NE(outcome.err, "");
     EXPECT_TRUE(place.files().empty());
   }
+}
+
+// Oracle: the knee's line in closed form, 1536 (1 - w / 10.5) Nm under 320 Nm: they meet at 8.3125
+// rad/s, and 320 Nm there are 2660 W.
+TEST(MorOptions, OneScreenSaysTheRegionWhereNothingMoreIsAsked) {
+  const Workplace place;
+  const std::string screen = mor(place, {}).out;
+  for (const char* line :
+       {"at rest      320 Nm\n", "no load      10.5 rad/s\n",
+        "most power   2660 W at 8.313 rad/s\n",
+        "limited by   current to 8.313 rad/s, where 320 Nm are left, then voltage\n",
+        "backward     the same\n", "region ends  at 12.69 rad/s: up to there torque brakes\n",
+        "for ever     128 Nm at rest", "assumed      /motor/"}) {
+    EXPECT_NE(screen.find(line), std::string::npos) << line << screen;
+  }
+  EXPECT_LE(std::count(screen.begin(), screen.end(), '\n'), 20);
+  EXPECT_EQ(mor(place, {"--table"}).out, mor(place, {"--format", "csv"}).out);
+  EXPECT_EQ(mor(place, {"--accuracy", "0.1"}).out,
+            mor(place, {"--table", "--accuracy", "0.1"}).out);
 }
 
 TEST(MorOptions, JsonIsWhatANameThatEndsSoHolds) {

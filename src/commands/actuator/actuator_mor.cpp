@@ -23,6 +23,7 @@
 #include "src/options/output_files.hpp"
 #include "src/report/actuator/actuator_json.hpp"
 #include "src/report/actuator/actuator_text.hpp"
+#include "src/report/actuator/region_text.hpp"
 #include "src/standard_output.hpp"
 
 namespace torquewright::cli {
@@ -45,10 +46,11 @@ const actuator::Exporter* exporter_of(const MorRequest& request) {
   return actuator::find_exporter(request.format);
 }
 
-/// Whether the region's rows are asked for besides a picture of it.
+/// Whether the region's rows, or a simulator's file, are asked for.
 bool wants_rows(const MorRequest& request) {
-  return request.plot.file.empty() || request.json || !request.format.empty() ||
-         !request.speeds_rad_s.empty() || !request.output_file.empty();
+  return request.table || request.json || !request.format.empty() ||
+         !request.speeds_rad_s.empty() || !request.output_file.empty() ||
+         (request.plot.file.empty() && request.accuracy != MorRequest{}.accuracy);
 }
 
 void read_question(const MorRequest& request, MorInputs& inputs) {
@@ -64,7 +66,7 @@ void read_question(const MorRequest& request, MorInputs& inputs) {
 void require_rows_of_accuracy(const MorRequest& request) {
   if (wants_rows(request) || request.accuracy == MorRequest{}.accuracy) return;
   io::refuse("--accuracy",
-             "is of rows, and a picture alone has none; ask for them with --format, --json or -o");
+             "is of rows, and a picture alone has none; ask for them with --table, --json or -o");
 }
 
 MorInputs read(const MorRequest& request) {
@@ -163,6 +165,10 @@ MorAnswer compute(const MorRequest& request, const MorInputs& inputs) {
   const actuator::Exporter* exporter = exporter_of(request);
   if (wants_rows(request)) {
     answer = exporter ? export_region(request, inputs, *exporter) : tabulate(request, inputs);
+  }
+  if (!wants_rows(request) && !inputs.picture) {
+    const actuator::MorHeader header{&inputs.read.actuator, inputs.conditions, side_of(request)};
+    answer.rows = report::region_text(header, request.actuator_file);
   }
   if (inputs.picture) {
     answer.plot =

@@ -42,10 +42,10 @@ ordered_json sweep_json(const std::vector<RatioRow>& rows) {
   ordered_json list = ordered_json::array();
   for (const RatioRow& row : rows) {
     ordered_json json{{"ratio", row.ratio},
-                      {"stall_torque_Nm", row.stall_torque_Nm},
-                      {"no_load_speed_rad_s", row.no_load_speed_rad_s},
-                      {"greatest_power_W", row.greatest_power_W},
-                      {"power_speed_rad_s", row.power_speed_rad_s},
+                      {"stall_torque_Nm", row.driving.stall_torque_Nm},
+                      {"no_load_speed_rad_s", row.driving.no_load_speed_rad_s},
+                      {"greatest_power_W", row.driving.greatest_power_W},
+                      {"power_speed_rad_s", row.driving.power_speed_rad_s},
                       {"reflected_inertia_kg_m2", row.reflected_inertia_kg_m2}};
     if (row.margin_Nm) json["margin_Nm"] = or_null(row.margin_Nm);
     list.push_back(json);

@@ -63,8 +63,9 @@ std::string sweep_text(const std::vector<RatioRow>& rows) {
   text += has_need ? "  margin Nm\n" : "\n";
   for (const RatioRow& row : rows) {
     text += fmt::format("{:>8.4g}{:>10.4g}{:>15.4g}{:>9.4g}{:>10.4g}{:>18.4g}", row.ratio,
-                        row.stall_torque_Nm, row.no_load_speed_rad_s, row.greatest_power_W,
-                        row.power_speed_rad_s, row.reflected_inertia_kg_m2);
+                        row.driving.stall_torque_Nm, row.driving.no_load_speed_rad_s,
+                        row.driving.greatest_power_W, row.driving.power_speed_rad_s,
+                        row.reflected_inertia_kg_m2);
     if (!has_need) {
       text += "\n";
     } else if (std::isfinite(*row.margin_Nm)) {

@@ -25,6 +25,8 @@ gearbox strength specs/gearbox/d110a_strength.json --torque 21 --side motor
 gearbox strength specs/gearbox/d151_strength.json --torque 21,17 --face-widths 6,8 --modules 0.5,0.6 --json
 gearbox strength specs/gearbox/d151_knee_result.json --steel case_hardened --face-width 10 --torque 16 --cycles 1e6 --design 1
 actuator mor specs/actuator/d151_knee.json --at-speed 0,8,9.5,11
+actuator mor specs/actuator/mini_cheetah_knee.json
+actuator mor specs/actuator/d151_knee.json --table --side motor
 actuator mor specs/actuator/d151_knee.json --need 200@10 --ratio 4:40 --json
 actuator mor specs/actuator/d151_knee.json --need 100@5
 actuator mor tests/fuzz/corpus/everything.json --need 200@10
