@@ -76,7 +76,7 @@ TEST_F(OutputOptions, ADashIsStandardOutputWithoutTheText) {
 
 TEST_F(OutputOptions, ADashIsStandardOutputOfWhatIsMadeToo) {
   const std::vector<Words> makers = {
-      {"actuator", "mor", kWrittenKnee},
+      {"actuator", "mor", kWrittenKnee, "--table"},
       {"robot", "import", in_repository("specs/robot/rabbit.urdf")},
       {"robot", "export", in_repository("specs/robot/rabbit.json"), "--format", "urdf"},
       {"identify", "simulate", kWrittenKnee, "--rig", in_repository("specs/rig/knee_sweep.json"),
