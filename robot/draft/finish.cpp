@@ -106,7 +106,7 @@ void finish(std::vector<DraftBody> draft, const ImportFileOptions& options, Impo
     imported.body_places.push_back(place_of(next.source));
     imported.joint_places.push_back(place_of(next.joint_source));
   }
-  add_feet(whole.draft, imported.robot, imported.notes);
+  add_feet(whole.draft, options.feet, imported.robot, imported.notes);
   refuse_inertias(draft, whole, options, tree, faults);
   faults.refuse();
 }

@@ -15,6 +15,7 @@ using Rule = std::vector<Finding> (*)(const CheckedMotion& checked);
 /// the ratio of its forces says nothing. A choice of ours.
 constexpr double kBearsLoad = 0.01;
 
+std::vector<Finding> battery_draw(const CheckedMotion& checked);
 std::vector<Finding> center_of_pressure(const CheckedMotion& checked);
 std::vector<Finding> contact_above_ground(const CheckedMotion& checked);
 std::vector<Finding> friction_cone(const CheckedMotion& checked);
@@ -28,9 +29,10 @@ std::vector<Finding> mechanism_margins(const CheckedMotion& checked);
 std::vector<Finding> self_collision(const CheckedMotion& checked);
 std::vector<Finding> slide_units(const CheckedMotion& checked);
 
-constexpr std::array<Rule, 12> kEveryRule{
+constexpr std::array<Rule, 13> kEveryRule{
     joint_limits,     mechanism_margins, ground_penetration,  contact_above_ground,
     friction_cone,    friction_sliding,  center_of_pressure,  self_collision,
-    impact_by_motors, impact_energy,     joint_without_drive, slide_units};
+    impact_by_motors, impact_energy,     joint_without_drive, slide_units,
+    battery_draw};
 
 }  // namespace torquewright::hopper
