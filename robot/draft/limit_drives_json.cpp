@@ -158,9 +158,8 @@ LimitDrives limit_drives(const Robot& robot,
   note("state no limit of torque", without_torque, made);
   if (!without_speed.empty()) {
     made.notes.push_back(
-        fmt::format("the drives of {} joints that state no limit of speed have "
-                    "their torque at any: {}",
-                    without_speed.size(), fmt::join(without_speed, ", ")));
+        fmt::format("drives of joints that state no limit of speed have their torque at any: {}",
+                    fmt::join(without_speed, ", ")));
   }
   if (!slides.empty()) {
     made.notes.push_back(fmt::format(

@@ -301,6 +301,23 @@ TEST(GeneralLoop, IsRefusedWhereItDoesNotCloseOverItsRange) {
   EXPECT_NE(said.find("within the joint's range of -2.9 to 2.9"), std::string::npos) << said;
 }
 
+// Oracle: pivots 1 m apart, a pin 0.1 m from the one, crank and rod that reach 0.1 + 0.2 m from the
+// other: all in line they leave 0.6 m.
+TEST(GeneralLoop, IsRefusedWithTheGapThatNoPostureCloses) {
+  const std::string said = why_not(whole(
+      R"(<body name="crank" pos="0 0 0.5"><joint name="c" axis="0 1 0"/>)" + kRod +
+          R"(<body name="rod" pos="0 0 -0.1"><joint name="r" axis="0 1 0"/><site name="tip" pos="0 0 -0.2"/>)" +
+          kRod +
+          R"(</body></body><body name="shank" pos="0 0 -0.5"><joint name="knee" axis="0 1 0"/><site name="pin" pos="0.1 0 0"/>)" +
+          kShank + "</body>",
+      R"(<connect site1="tip" site2="pin"/>)", drive("c")));
+  EXPECT_NE(said.find("does not close from the file's posture, nor from 39 others"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("its points stay 0.6 m apart"), std::string::npos) << said;
+  EXPECT_NE(said.find("closes a loop between \"tip\" and \"pin\""), std::string::npos) << said;
+}
+
 // Oracle: where MuJoCo's own crank stands at the end.
 TEST(GeneralLoop, IsNoShorterThanItsCrankLetsIt) {
   std::string text = heavy_bar("c");
