@@ -8,7 +8,6 @@
 #include <initializer_list>
 
 #include "robot/draft/foot_points.hpp"
-#include "robot/draft/named_feet.hpp"
 #include "robot/xml/vocabulary.hpp"
 
 namespace torquewright::hopper {
@@ -119,9 +118,7 @@ std::string what_helps(const std::vector<DraftBody>& draft) {
 
 }  // namespace
 
-void add_feet(const std::vector<DraftBody>& draft, const std::vector<NamedFeet>& named,
-              Robot& robot, std::vector<std::string>& notes) {
-  if (!named.empty()) return add_named_feet(draft, named, robot, notes);
+void add_feet(const std::vector<DraftBody>& draft, Robot& robot, std::vector<std::string>& notes) {
   if (robot.tree.base == dynamics::BaseKind::kFixed) return;
   FootPoints feet(draft, robot);
   const std::vector<Shapes> found = chosen(draft);

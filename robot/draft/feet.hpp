@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "robot/draft/draft.hpp"
-#include "robot/draft/import_options.hpp"
 
 namespace torquewright::hopper {
 
@@ -15,9 +14,7 @@ namespace torquewright::hopper {
 /// Balls touch as they are, capsules and cylinders that lie by a ball at either end, boxes and
 /// cylinders that stand by four points of the side that is the lower one where all joints are at
 /// zero. Where the file states no friction it is assumed, and the robot says so. Notes say what was
-/// taken, or that nothing was and what would help. `named`, where there are some, are taken in
-/// their place (add_named_feet()). Requires that no draft is welded.
-void add_feet(const std::vector<DraftBody>& draft, const std::vector<NamedFeet>& named,
-              Robot& robot, std::vector<std::string>& notes);
+/// taken, or that nothing was and what would help. Requires that no draft is welded.
+void add_feet(const std::vector<DraftBody>& draft, Robot& robot, std::vector<std::string>& notes);
 
 }  // namespace torquewright::hopper

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "hopper/demand/battery_draw.hpp"
 #include "hopper/demand/checked_motion.hpp"
 
 namespace torquewright::hopper {
@@ -15,7 +16,6 @@ using Rule = std::vector<Finding> (*)(const CheckedMotion& checked);
 /// the ratio of its forces says nothing. A choice of ours.
 constexpr double kBearsLoad = 0.01;
 
-std::vector<Finding> battery_draw(const CheckedMotion& checked);
 std::vector<Finding> center_of_pressure(const CheckedMotion& checked);
 std::vector<Finding> contact_above_ground(const CheckedMotion& checked);
 std::vector<Finding> friction_cone(const CheckedMotion& checked);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // A curve says no current, so that what its drive takes from the battery is not known; that is no
 // less than what leaves its output.
+#include "hopper/demand/battery_draw.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 
-#include "hopper/check/rules/every_rule.hpp"
 #include "io/text/wording.hpp"
 
 namespace torquewright::hopper {
