@@ -3,7 +3,6 @@
 
 #include <array>
 
-#include "hopper/demand/battery_draw.hpp"
 #include "hopper/demand/checked_motion.hpp"
 
 namespace torquewright::hopper {
@@ -29,10 +28,9 @@ std::vector<Finding> mechanism_margins(const CheckedMotion& checked);
 std::vector<Finding> self_collision(const CheckedMotion& checked);
 std::vector<Finding> slide_units(const CheckedMotion& checked);
 
-constexpr std::array<Rule, 13> kEveryRule{
+constexpr std::array<Rule, 12> kEveryRule{
     joint_limits,     mechanism_margins, ground_penetration,  contact_above_ground,
     friction_cone,    friction_sliding,  center_of_pressure,  self_collision,
-    impact_by_motors, impact_energy,     joint_without_drive, slide_units,
-    battery_draw};
+    impact_by_motors, impact_energy,     joint_without_drive, slide_units};
 
 }  // namespace torquewright::hopper

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "hopper/check/rules/every_rule.hpp"
+#include "hopper/demand/battery_draw.hpp"
 #include "robot/mechanisms/constant_jacobian.hpp"
 #include "tests/actuator/example_actuator.hpp"
 #include "tests/hopper/check/made_motion.hpp"
