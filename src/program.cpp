@@ -71,6 +71,7 @@ void add_robot_commands(Command& program) {
   add_attach_command(robot);
   add_import_command(robot);
   add_export_command(robot);
+  add_workspace_command(robot);
 }
 
 }  // namespace

@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "dynamics/momentum.hpp"
-#include "dynamics/passive_forces.hpp"
 #include "dynamics/point.hpp"
 #include "hopper/contact/cone_least_squares.hpp"
 #include "io/faults/refusal.hpp"
@@ -320,7 +319,7 @@ class DemandPass {
   void ask(Index sample) {
     body_.body_forces(motion_.accelerations.col(sample), force_);
     body_.add_dampers_and_springs(force_);
-    dynamics::add_dry_friction(body_.state(), motion_.accelerations.col(sample), force_);
+    body_.add_dry_friction(motion_.accelerations.col(sample), force_);
     for (const std::size_t joint : given_passive_) {
       const auto row = static_cast<Index>(joint) - 1;
       force_[body_.state().joint_row(joint)] -= motion_.efforts(row, sample);
@@ -329,7 +328,7 @@ class DemandPass {
 
   /// What the joints' own friction holds of the load, of joints that rest.
   void take_off_held(Index sample) {
-    dynamics::held_by_friction(body_.state(), motion_.accelerations.col(sample), load_, held_);
+    body_.held_by_friction(motion_.accelerations.col(sample), load_, held_);
     load_ -= held_;
     force_ -= held_;
   }

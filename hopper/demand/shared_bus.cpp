@@ -20,7 +20,9 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double kRounding = 1e-9;  // of the greatest power
+constexpr double kRounding = 1e-9;       // of the greatest power
+constexpr double kLinesSettled = 1e-12;  // of the open circuit, where lines' losses are solved for
+constexpr int kMostLineVoltages = 100;
 
 std::vector<const actuator::Actuator*> drives_of(const Robot& robot) {
   std::vector<const actuator::Actuator*> drives;
@@ -30,10 +32,11 @@ std::vector<const actuator::Actuator*> drives_of(const Robot& robot) {
   return drives;
 }
 
-/// Adds what one drive asks for; torque that no current yields counts as nothing (the drive's own
-/// check says so).
-void add_power(const CheckedMotion& checked, const actuator::Actuator& actuator, std::size_t drive,
-               const Eigen::MatrixXd& torques_Nm, Eigen::VectorXd& power_W) {
+/// What one drive asks for; torque that no current yields counts as nothing (the drive's own check
+/// says so).
+Eigen::VectorXd power_of_W(const CheckedMotion& checked, const actuator::Actuator& actuator,
+                           std::size_t drive, const Eigen::MatrixXd& torques_Nm) {
+  Eigen::VectorXd power_W = Eigen::VectorXd::Zero(checked.motion.samples());
   const actuator::PhaseModel model = actuator::phase_model_at(actuator, checked.options.conditions);
   const double temperature_K = winding_temperature_K(actuator, checked.options.conditions);
   const actuator::RotorBeforeMesh rotor(actuator);
@@ -49,8 +52,30 @@ void add_power(const CheckedMotion& checked, const actuator::Actuator& actuator,
         rotor.of(speed_rad_s, torque_Nm, at.rotor_acceleration_rad_s2(rotor_kg_m2), before_rad_s)
             .motor_Nm);
     before_rad_s = speed_rad_s;
-    if (asked) power_W[sample] += asked->bus_power_W;
+    if (asked) power_W[sample] = asked->bus_power_W;
   }
+  return power_W;
+}
+
+/// All drives', with what their lines lose at the voltage that the battery is left.
+Eigen::VectorXd drawn_W(const DriveSupply& feeds, const std::vector<Eigen::VectorXd>& powers_W) {
+  Eigen::VectorXd drawn_W = powers_W.front();
+  for (std::size_t i = 1; i < powers_W.size(); ++i) drawn_W += powers_W[i];
+  const auto has_line = [](double line_ohm) { return line_ohm > 0.0; };
+  if (std::none_of(feeds.lines_ohm.begin(), feeds.lines_ohm.end(), has_line)) return drawn_W;
+  for (Index sample = 0; sample < drawn_W.size(); ++sample) {
+    double voltage_V = feeds.supply.open_circuit_V;
+    for (int tried = 0; tried < kMostLineVoltages; ++tried) {
+      const double before_V = voltage_V;
+      voltage_V = loaded_voltage_V(feeds.supply, drawn_W[sample]);
+      drawn_W[sample] = 0.0;
+      for (std::size_t i = 0; i < powers_W.size(); ++i) {
+        drawn_W[sample] += drawn_power_W(voltage_V, feeds.lines_ohm[i], powers_W[i][sample]);
+      }
+      if (std::abs(voltage_V - before_V) <= kLinesSettled * feeds.supply.open_circuit_V) break;
+    }
+  }
+  return drawn_W;
 }
 
 void settle(const CheckedMotion& checked, const actuator::Supply& supply,
@@ -93,10 +118,11 @@ std::vector<SharedBus> shared_buses(const CheckedMotion& checked,
   std::vector<SharedBus> buses;
   for (DriveSupply& feeds : drive_supplies(drives, checked.options.conditions)) {
     if (feeds.drives.size() < 2) continue;
-    Eigen::VectorXd power_W = Eigen::VectorXd::Zero(checked.motion.samples());
+    std::vector<Eigen::VectorXd> powers_W;
     for (const std::size_t drive : feeds.drives) {
-      add_power(checked, *drives[drive], drive, torques_Nm, power_W);
+      powers_W.push_back(power_of_W(checked, *drives[drive], drive, torques_Nm));
     }
+    const Eigen::VectorXd power_W = drawn_W(feeds, powers_W);
     SharedBus& bus = buses.emplace_back();
     bus.drives = std::move(feeds.drives);
     settle(checked, feeds.supply, power_W, bus);

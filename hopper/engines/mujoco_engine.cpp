@@ -194,19 +194,22 @@ class MujocoReplayEngine final : public Engine {
     return EngineOutcome::kStepped;
   }
 
-  /// A^T I A in place of the armature; docs/derivations/whole_body_check.md eq. (2).
+  /// A^T I A in place of the armature, docs/derivations/whole_body_check.md eq. (2), and what links
+  /// of loops weigh, which no bodies of MuJoCo's are.
   void add_rotors() {
     rotors_.setZero();
     body_.add_rotor_inertia(rotors_);
+    body_.add_link_inertia(rotors_);
     for (const MujocoModel::MassEntry& entry : mujoco_.rotor_entries()) {
       data().qM[entry.address] += entry.kept + rotors_(entry.row, entry.column);
     }
   }
 
-  /// The force from outside, less A^T I A' v.
+  /// The force from outside, less A^T I A' v and what links take.
   void push(const VectorIn& force) {
     rate_force_.setZero();
     body_.add_rotors(rest_, rate_force_);
+    body_.add_link_forces(rate_force_);
     for (Index i = 0; i < force.size(); ++i) {
       data().qfrc_applied[mujoco_.dofs()[index(i)]] = force[i] - rate_force_[i];
     }

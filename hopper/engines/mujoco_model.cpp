@@ -10,6 +10,7 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "dynamics/passive_forces.hpp"
 #include "robot/mjcf/mjcf_writer.hpp"
 #include "robot/model/whole_body.hpp"
 
@@ -58,13 +59,16 @@ void require_no_spin(const Robot& robot) {
   }
 }
 
-void require_no_links(const Robot& robot) {
-  const double links_kg = robot.links_kg();
-  if (links_kg == 0) return;
-  throw std::invalid_argument(
-      fmt::format("MuJoCo cannot hold the robot: links of its loops weigh {:.4g} kg, and its "
-                  "bodies here are the tree's alone; --engine own holds them",
-                  links_kg));
+/// Its friction is that of single joints of its own.
+void require_no_dry_links(const Robot& robot) {
+  const WholeBody body(robot);
+  for (const dynamics::Body& link : body.links()) {
+    if (dynamics::friction_limit(link.joint.passive, 0.0) == 0) continue;
+    throw std::invalid_argument(
+        fmt::format("MuJoCo cannot hold the robot: \"{}\", a joint within a loop, has dry friction "
+                    "of {:.4g}, and is no joint of MuJoCo's here; --engine own holds it",
+                    link.joint.name, dynamics::friction_limit(link.joint.passive, 0.0)));
+  }
 }
 
 double lowest_ground_m(const EngineOptions& options) {
@@ -94,7 +98,7 @@ std::string terraces_of(const EngineOptions& options) {
 
 MujocoModel::MujocoModel(const Robot& robot, const EngineOptions& options) {
   require_no_spin(robot);
-  require_no_links(robot);
+  require_no_dry_links(robot);
   load(robot, options);
   set_options(options);
   set_geoms(robot, options);
@@ -202,20 +206,50 @@ void MujocoModel::find_rotor_entries(const Robot& robot) {
     rotor_entries_.push_back({row, row, address_of(row, row), kept});
   }
   for (const Drivetrain& drivetrain : robot.drivetrains) {
+    require_coupled(robot, drivetrain.joints, "rotors");
     for (std::size_t i = 1; i < drivetrain.joints.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
         const Index row = body.state().joint_row(drivetrain.joints[i]);
         const Index column = body.state().joint_row(drivetrain.joints[j]);
-        const int address = address_of(row, column);
-        if (address < 0) {
-          throw std::invalid_argument(fmt::format(
-              "MuJoCo cannot hold the robot: rotors couple {} and {}, of which none carries the "
-              "other",
-              tree.bodies[drivetrain.joints[i]].joint.name,
-              tree.bodies[drivetrain.joints[j]].joint.name));
-        }
-        rotor_entries_.push_back({row, column, address});
+        rotor_entries_.push_back({row, column, address_of(row, column)});
       }
+    }
+  }
+  if (!body.links().empty()) add_entries_of_links(robot, body);
+}
+
+/// Links couple the joints that they close on with each other and with all that carries them.
+void MujocoModel::add_entries_of_links(const Robot& robot, const WholeBody& body) {
+  for (const Follower& follower : robot.followers) {
+    require_coupled(robot, follower.joints, "links that follow");
+  }
+  const Index size = body.state().velocity().size();
+  for (Index row = 0; row < size; ++row) {
+    for (Index column = 0; column <= row; ++column) {
+      const auto is_same = [&](const MassEntry& entry) {
+        return std::max(entry.row, entry.column) == row &&
+               std::min(entry.row, entry.column) == column;
+      };
+      const int address = address_of(row, column);
+      if (address < 0 || std::any_of(rotor_entries_.begin(), rotor_entries_.end(), is_same)) {
+        continue;
+      }
+      rotor_entries_.push_back({row, column, address});
+    }
+  }
+}
+
+/// MuJoCo keeps the mass between two joints where one carries the other.
+void MujocoModel::require_coupled(const Robot& robot, const std::vector<std::size_t>& joints,
+                                  const char* what) const {
+  const dynamics::TreeState state(robot.tree);
+  for (std::size_t i = 1; i < joints.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (address_of(state.joint_row(joints[i]), state.joint_row(joints[j])) >= 0) continue;
+      throw std::invalid_argument(fmt::format(
+          "MuJoCo cannot hold the robot: {} couple {} and {}, of which none carries "
+          "the other",
+          what, robot.tree.bodies[joints[i]].joint.name, robot.tree.bodies[joints[j]].joint.name));
     }
   }
 }

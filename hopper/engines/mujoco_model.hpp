@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hopper/engines/engine.hpp"
+#include "robot/model/whole_body.hpp"
 
 namespace torquewright::hopper {
 
@@ -33,7 +34,8 @@ class MujocoModel {
     int address;
     double kept = 0.0;  ///< Reflected inertia that the tree has and MuJoCo lacks.
   };
-  /// Entries of all joints of drivetrains, each pair once.
+  /// Entries of all joints of drivetrains, each pair once; with links of loops all that MuJoCo
+  /// keeps.
   const std::vector<MassEntry>& rotor_entries() const { return rotor_entries_; }
 
  private:
@@ -42,6 +44,9 @@ class MujocoModel {
   void set_options(const EngineOptions& options);
   void set_geoms(const Robot& robot, const EngineOptions& options);
   void find_rotor_entries(const Robot& robot);
+  void add_entries_of_links(const Robot& robot, const WholeBody& body);
+  void require_coupled(const Robot& robot, const std::vector<std::size_t>& joints,
+                       const char* what) const;
   int address_of(Eigen::Index row, Eigen::Index column) const;
 
   struct Deleter {

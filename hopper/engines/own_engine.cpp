@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Equations: docs/derivations/time_stepping.md.
+#include "dynamics/passive_forces.hpp"
 #include "dynamics/position_step.hpp"
 #include "hopper/engines/every_engine.hpp"
 #include "robot/model/whole_body.hpp"
@@ -28,11 +29,28 @@ class TurningBodies final : public simulation::MovingBodies {
   dynamics::TreeState& state() override { return whole_.state(); }
   void mass_matrix(dynamics::MatrixOut out) override { whole_.mass_matrix(out); }
   void bias(dynamics::VectorOut out) override { whole_.inverse_dynamics(rest_, out); }
+  void joint_motion(Index row, dynamics::VectorOut out) override {
+    if (row < rest_.size()) return MovingBodies::joint_motion(row, out);
+    out = whole_.link_motion(static_cast<std::size_t>(row - rest_.size()));
+  }
 
  private:
   WholeBody whole_;
   VectorXd rest_;
 };
+
+/// Of the tree's joints, and of links behind them.
+std::vector<simulation::JointFriction> frictions_of(const Robot& robot) {
+  std::vector<simulation::JointFriction> frictions = simulation::joint_frictions(robot.tree);
+  const WholeBody whole(robot);
+  Index row = robot.tree.velocity_size();
+  for (const dynamics::Body& link : whole.links()) {
+    const double resting = dynamics::friction_limit(link.joint.passive, 0.0);
+    if (resting > 0.0) frictions.push_back({row, link.joint.passive.dry_friction, resting});
+    ++row;
+  }
+  return frictions;
+}
 
 simulation::Obstacles obstacles_of(const Robot& robot, const EngineOptions& options) {
   simulation::Obstacles obstacles;
@@ -44,7 +62,7 @@ simulation::Obstacles obstacles_of(const Robot& robot, const EngineOptions& opti
     obstacles.points.push_back({sphere.center, kBodyFriction, 0.0, sphere.radius_m});
   }
   obstacles.stops = simulation::joint_stops(robot.tree);
-  obstacles.frictions = simulation::joint_frictions(robot.tree);
+  obstacles.frictions = frictions_of(robot);
   obstacles.ground_height_m = options.ground_height_m;
   obstacles.profile = options.profile;
   return obstacles;

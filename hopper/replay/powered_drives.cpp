@@ -54,12 +54,24 @@ void require_possible(const FixedDrives& drives, const actuator::OperatingCondit
   if (!faults.empty()) throw io::SpecError(std::move(faults));
 }
 
+/// By drive: whether its voltage_sag lies between it and a battery that it shares.
+std::vector<bool> own_lines(const std::vector<DriveSupply>& supplies, std::size_t drives) {
+  std::vector<bool> own(drives, false);
+  for (const DriveSupply& supply : supplies) {
+    for (const std::size_t drive : supply.drives) own[drive] = has_own_line(supply);
+  }
+  return own;
+}
+
 /// What a drive can do at the voltages and, where its heat is known, the temperatures of a run;
-/// drives of one kind share it.
-void make_regions(const actuator::OperatingConditions& conditions, FixedDrives& drives) {
+/// drives of one kind share it. Of a battery of its own, cables are the battery's.
+void make_regions(const actuator::OperatingConditions& conditions,
+                  const std::vector<bool>& has_line, FixedDrives& drives) {
   using actuator::GridTemperatures;
   for (auto drive = drives.begin(); drive != drives.end(); ++drive) {
-    const actuator::Actuator actuator = actuator::without_voltage_sag(drive->actuator);
+    const actuator::Actuator actuator = has_line[static_cast<std::size_t>(drive - drives.begin())]
+                                            ? drive->actuator
+                                            : actuator::without_voltage_sag(drive->actuator);
     const bool warms = actuator.thermal.has_value();
     actuator::OperatingConditions own{conditions.rating, {}, {}, {}};
     if (!warms) own.winding_temperature_K = conditions.winding_temperature_K;
@@ -112,7 +124,8 @@ class PoweredDrives::Work {
  public:
   Work(FixedDrives drives, const PoweredDriveOptions& options) {
     require_possible(drives, options.conditions);
-    make_regions(options.conditions, drives);
+    const auto supplies = drive_supplies(actuators_of(drives), options.conditions);
+    make_regions(options.conditions, own_lines(supplies, drives.size()), drives);
     made_for_ = options.conditions;
     fixed_ = std::make_shared<const FixedDrives>(std::move(drives));
     begin(options);
@@ -189,10 +202,13 @@ class PoweredDrives::Work {
     start();
   }
 
-  /// Of all drives on it, as they are held.
-  double power_W(const Bus& bus) const {
+  /// Of all drives on it and their lines, as they are held.
+  double power_W(const Bus& bus, double voltage_V) const {
     double sum_W = 0.0;
-    for (const std::size_t drive : bus.feeds.drives) sum_W += drives_[drive].power_W();
+    for (std::size_t i = 0; i < bus.feeds.drives.size(); ++i) {
+      const double own_W = drives_[bus.feeds.drives[i]].power_W();
+      sum_W += voltage_V > 0.0 ? drawn_power_W(voltage_V, bus.feeds.lines_ohm[i], own_W) : own_W;
+    }
     return sum_W;
   }
 
@@ -201,16 +217,17 @@ class PoweredDrives::Work {
     const actuator::Supply& supply = bus.feeds.supply;
     const auto gap_V = [&](double voltage_V) {
       for (const std::size_t drive : bus.feeds.drives) drives_[drive].hold(voltage_V);
-      return loaded_voltage_V(supply, power_W(bus)) - voltage_V;
+      return loaded_voltage_V(supply, power_W(bus, voltage_V)) - voltage_V;
     };
     bus.voltage_V = where_closed_V(gap_V, bus.voltage_V, kVoltageTolerance * supply.open_circuit_V);
-    const double asked_W = power_W(bus);
+    const double asked_W = power_W(bus, bus.voltage_V);
     const bool is_too_much = is_beyond(asked_W, bus.most_W);
     if (!is_too_much && !is_beyond(-asked_W, -supply.least_power_W)) return;
     step_.is_starved = true;
     if (drives_[bus.feeds.drives.front()].is_in_box()) return;
     cut(bus, [&] {
-      return is_too_much ? bus.most_W - power_W(bus) : power_W(bus) - supply.least_power_W;
+      const double left_W = power_W(bus, bus.voltage_V);
+      return is_too_much ? bus.most_W - left_W : left_W - supply.least_power_W;
     });
   }
 
@@ -236,7 +253,7 @@ class PoweredDrives::Work {
   }
 
   void finish(const Bus& bus, const VectorXd& position_rad, double step_s) {
-    const double asked_W = power_W(bus);
+    const double asked_W = power_W(bus, bus.voltage_V);
     const double voltage_V = loaded_voltage_V(bus.feeds.supply, asked_W);
     const bool has_winding = drives_[bus.feeds.drives.front()].has_winding();
     if (has_winding) {

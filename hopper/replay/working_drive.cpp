@@ -125,8 +125,16 @@ void WorkingDrive::hold(double bus_V) {
 bool WorkingDrive::is_same_current(double bus_V) const {
   if (!model_.field_weakening) return true;
   const auto phase_V = [&](double bus) { return model_.phase_volts_per_bus_volt * bus; };
-  const bool had_room = needed_phase_V_ < (1.0 - kNoRoom) * phase_V(model_.supply.open_circuit_V);
-  return had_room && needed_phase_V_ <= phase_V(bus_V);
+  const bool had_room =
+      needed_phase_V_ < (1.0 - kNoRoom) * phase_V(behind_line_V(model_.supply.open_circuit_V));
+  return had_room && needed_phase_V_ <= phase_V(behind_line_V(bus_V));
+}
+
+/// Behind the cables of its own, under its power.
+double WorkingDrive::behind_line_V(double bus_V) const {
+  actuator::Supply line = model_.supply;
+  line.open_circuit_V = bus_V;
+  return actuator::bus_voltage_V(line, power_W_).value_or(0.5 * bus_V);
 }
 
 void WorkingDrive::load(double torque_Nm, double bus_V) {

@@ -60,6 +60,7 @@ class WorkingDrive {
  private:
   void load(double torque_Nm, double bus_V);
   bool is_same_current(double bus_V) const;
+  double behind_line_V(double bus_V) const;
   double coasting_Nm() const;
   double direction() const;
   double motor_Nm() const;

@@ -4,34 +4,32 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dynamics/momentum.hpp"
+#include "robot/model/robot_centroid.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
 HeightPath path_of(const Robot& robot, const Record& record) {
   HeightPath path;
-  dynamics::TreeState state(robot.tree);
+  RobotCentroid centroid(robot);
   for (const RecordRow& row : record.rows) {
-    state.set(row.position, row.velocity);
     path.times_s.push_back(row.time_s);
-    path.heights_m.push_back(dynamics::centroid(state).position_m.z());
+    path.heights_m.push_back(centroid.at(row.position, row.velocity).position_m.z());
   }
   return path;
 }
 
 HeightPath path_of(const Robot& robot, const Reference& reference, double period_s) {
   HeightPath path;
-  dynamics::TreeState state(robot.tree);
+  RobotCentroid centroid(robot);
   ReferenceInstant instant;
   const double span_s = reference.ends_s() - reference.begins_s();
   const auto steps = static_cast<int>(std::ceil(span_s / period_s));
   for (int i = 0; i <= steps; ++i) {
     const double time_s = std::min(reference.ends_s(), reference.begins_s() + i * period_s);
     reference.at(time_s, instant);
-    state.set(instant.position, instant.velocity);
     path.times_s.push_back(time_s);
-    path.heights_m.push_back(dynamics::centroid(state).position_m.z());
+    path.heights_m.push_back(centroid.at(instant.position, instant.velocity).position_m.z());
   }
   return path;
 }

@@ -7,18 +7,16 @@
 #include <algorithm>
 #include <numbers>
 
-#include "dynamics/momentum.hpp"
 #include "hopper/verdict/flights.hpp"
 #include "hopper/verdict/ground_place.hpp"
 #include "hopper/verdict/turn.hpp"
+#include "robot/model/robot_centroid.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
 dynamics::Centroid centroid_of(const Robot& robot, const RecordRow& row) {
-  dynamics::TreeState state(robot.tree);
-  state.set(row.position, row.velocity);
-  return dynamics::centroid(state);
+  return RobotCentroid(robot).at(row.position, row.velocity);
 }
 
 double tilt_rad(const Robot& robot, const Reference& reference, const RecordRow& row) {

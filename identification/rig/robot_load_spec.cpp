@@ -70,6 +70,12 @@ void require_direct_drives(const hopper::Robot& robot, const Report& report) {
                        "joint is judged as if driven directly",
                        joint.name, type));
   }
+  for (const hopper::Follower& follower : robot.followers) {
+    report("/file",
+           fmt::format("\"{}\" carries links that follow it, which are not read here yet; leave "
+                       "followers out of the robot's document",
+                       robot.tree.bodies[follower.joints.front()].joint.name));
+  }
 }
 
 }  // namespace

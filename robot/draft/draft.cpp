@@ -27,6 +27,11 @@ Merged merged(const std::vector<DraftBody>& draft) {
         shape.R = R * shape.R;
         out.draft[parent.draft].shapes.push_back(std::move(shape));
       }
+      std::vector<DraftMark>& marks = out.draft[parent.draft].marks;
+      marks.push_back({next.body.name, R, p_m});
+      for (const DraftMark& mark : next.marks) {
+        marks.push_back({mark.name, R * mark.R, p_m + R * mark.p_m});
+      }
       out.places.push_back({parent.draft, R, p_m});
       continue;
     }

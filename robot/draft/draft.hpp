@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,14 @@ struct DraftShape {
   Eigen::Vector3d p_m = Eigen::Vector3d::Zero();
   std::optional<double> friction_coefficient = {};
   std::optional<DraftMesh> mesh = {};  ///< In the place of primitive and size.
+  std::string group = {};              ///< MJCF's class of it.
+};
+
+/// A named place in a body: a link that is welded to it, or a site.
+struct DraftMark {
+  std::string name;
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d p_m = Eigen::Vector3d::Zero();
 };
 
 /// A body as a file has it: perhaps welded to its parent, perhaps without mass.
@@ -43,6 +52,7 @@ struct DraftBody {
   double reference = 0;           ///< Of its joint where all bodies stand as the file puts them.
   const Element* ball = nullptr;  ///< The ball joint that this hinge is one third of.
   std::vector<DraftShape> shapes = {};
+  std::vector<DraftMark> marks = {};
 };
 
 /// An element of a file.
@@ -53,12 +63,20 @@ struct FilePlace {
   std::string name;
 };
 
+/// What a file states of a drive within a closed loop, at the joint that it turns or pushes.
+struct StatedDrive {
+  bool pushes = false;
+  dynamics::JointLimits limits = {};
+  double coulomb_Nm = 0.0, viscous_Nm_s_rad = 0.0;  ///< Of a crank, which is no joint here.
+};
+
 /// A robot read from another format, and what was left behind, in sentences.
 struct Imported {
   Robot robot;
   std::vector<std::string> notes;
-  std::vector<FilePlace> body_places;   ///< By body of the robot.
-  std::vector<FilePlace> joint_places;  ///< The same; that of the base says nothing.
+  std::vector<FilePlace> body_places;              ///< By body of the robot.
+  std::vector<FilePlace> joint_places;             ///< The same; that of the base says nothing.
+  std::map<std::string, StatedDrive> loop_drives;  ///< By the drive's name.
 };
 
 /// Where a frame stands in a draft.

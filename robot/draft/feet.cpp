@@ -6,37 +6,14 @@
 #include <algorithm>
 #include <cctype>
 #include <initializer_list>
-#include <map>
-#include <set>
-#include <variant>
 
-#include "robot/draft/touching_points.hpp"
+#include "robot/draft/foot_points.hpp"
 #include "robot/xml/vocabulary.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
-constexpr double kRubber = 0.8;      // on dry concrete: 0.6 to 0.85
-constexpr double kFarthest_m = 100;  // the greatest length of documents
-
-/// Names that are given once each: a second "toe" is "toe_2".
-class FreeNames {
- public:
-  explicit FreeNames(const std::vector<ContactPoint>& taken) {
-    for (const ContactPoint& contact : taken) taken_.insert(contact.name);
-  }
-
-  std::string next(const std::string& name) {
-    int& count = counts_[name];  // none below it is free any more
-    std::string found = count == 0 ? name : fmt::format("{}_{}", name, count + 1);
-    while (!taken_.insert(found).second) found = fmt::format("{}_{}", name, ++count + 1);
-    return found;
-  }
-
- private:
-  std::set<std::string> taken_;
-  std::map<std::string, int> counts_;
-};
+constexpr std::size_t kMostNamed = 6;  // in a note
 
 /// Whether one of these words is in the name, in capitals or not.
 bool says(std::string name, std::initializer_list<const char*> words) {
@@ -69,7 +46,8 @@ Shapes standing(const DraftBody& body, bool carries, bool is_on_leg) {
   Shapes others;
   Shapes meshes;
   for (const DraftShape& shape : body.shapes) {
-    const bool is_foot = is_called_foot(shape.link) || is_called_foot(shape.name);
+    const bool is_foot =
+        is_called_foot(shape.link) || is_called_foot(shape.name) || is_called_foot(shape.group);
     if (shape.mesh) {
       if (is_foot) named_meshes.push_back(&shape);
       meshes.push_back(&shape);
@@ -95,122 +73,67 @@ std::vector<bool> on_legs(const std::vector<DraftBody>& draft) {
   std::vector<bool> on(draft.size(), false);
   for (std::size_t i = 0; i < draft.size(); ++i) {
     on[i] = is_called_leg(draft[i].body.name) || is_called_leg(draft[i].body.joint.name) ||
-            (i > 0 && on[draft[i].body.parent]);
+            is_called_foot(draft[i].body.joint.name) || (i > 0 && on[draft[i].body.parent]);
   }
   return on;
 }
 
-/// The box that holds a mesh, in m in the mesh's own axes; or why there is none.
-std::variant<MeshBox, std::string> box_of(const DraftMesh& mesh) {
-  std::variant<MeshBox, std::string> read = std::string();
-  if (mesh.stated) {
-    read = *mesh.stated;
-  } else {
-    read = mesh_box(mesh.file);
+/// Leaves first: what carries feet is none.
+std::vector<Shapes> chosen(const std::vector<DraftBody>& draft) {
+  std::vector<Shapes> found(draft.size());
+  std::vector<bool> carries(draft.size(), false);
+  std::vector<bool> carries_feet(draft.size(), false);
+  const std::vector<bool> is_on_leg = on_legs(draft);
+  for (std::size_t i = draft.size(); i-- > 0;) {
+    if (!carries_feet[i]) found[i] = standing(draft[i], carries[i], is_on_leg[i]);
+    if (i == 0) break;
+    const std::size_t parent = draft[i].body.parent;
+    carries[parent] = true;
+    carries_feet[parent] = carries_feet[parent] || carries_feet[i] || !found[i].empty();
   }
-  auto* box = std::get_if<MeshBox>(&read);
-  if (box == nullptr) return read;
-  const Eigen::Vector3d one = box->least.cwiseProduct(mesh.scale);
-  const Eigen::Vector3d other = box->most.cwiseProduct(mesh.scale);
-  box->least = one.cwiseMin(other);
-  box->most = one.cwiseMax(other);
-  if (!(box->least.cwiseAbs().cwiseMax(box->most.cwiseAbs()).maxCoeff() < kFarthest_m)) {
-    return "is larger than 100 m: a scale is missing";
-  }
-  return read;
+  return found;
 }
 
-/// Each body's down, in its own frame, where all joints are at zero.
-std::vector<Eigen::Vector3d> downs(const std::vector<DraftBody>& draft) {
-  std::vector<Eigen::Vector3d> down{-Eigen::Vector3d::UnitZ()};
+/// What a user could name: what is called a foot, else what ends a leg.
+std::string what_helps(const std::vector<DraftBody>& draft) {
+  const std::vector<bool> is_on_leg = on_legs(draft);
+  std::vector<bool> carries(draft.size(), false);
+  for (std::size_t i = 1; i < draft.size(); ++i) carries[draft[i].body.parent] = true;
+  std::vector<std::string> called, ends;
   for (std::size_t i = 1; i < draft.size(); ++i) {
-    const dynamics::Body& body = draft[i].body;
-    down.push_back(body.joint.R_PB.transpose() * down[body.parent]);
+    const std::string& name = draft[i].body.name;
+    if (is_called_foot(name)) called.push_back(name);
+    for (const DraftMark& mark : draft[i].marks) {
+      if (is_called_foot(mark.name)) called.push_back(mark.name);
+    }
+    if (is_on_leg[i] && !carries[i]) ends.push_back(name);
   }
-  return down;
+  std::vector<std::string>& names = called.empty() ? ends : called;
+  if (names.size() > kMostNamed) names.resize(kMostNamed);
+  return fmt::format(
+      "--feet NAME takes what a link, geom or site of that name touches with, or its place; "
+      "--feet NAME=X0:X1,Y0:Y1,Z states a sole in its axes, in m{}",
+      names.empty() ? "" : fmt::format(" (names: {})", listed(names)));
 }
-
-class Feet {
- public:
-  Feet(const std::vector<DraftBody>& draft, Robot& robot)
-      : draft_(&draft), robot_(&robot), downs_(downs(draft)), names_(robot.contacts) {}
-
-  /// Leaves first: what carries feet is none.
-  std::vector<Shapes> chosen() const {
-    std::vector<Shapes> found(draft_->size());
-    std::vector<bool> carries(draft_->size(), false);
-    std::vector<bool> carries_feet(draft_->size(), false);
-    const std::vector<bool> is_on_leg = on_legs(*draft_);
-    for (std::size_t i = draft_->size(); i-- > 0;) {
-      if (!carries_feet[i]) found[i] = standing((*draft_)[i], carries[i], is_on_leg[i]);
-      if (i == 0) break;
-      const std::size_t parent = (*draft_)[i].body.parent;
-      carries[parent] = true;
-      carries_feet[parent] = carries_feet[parent] || carries_feet[i] || !found[i].empty();
-    }
-    return found;
-  }
-
-  void add(std::size_t body, const DraftShape& shape) {
-    if (!shape.mesh) return add_points(body, shape, shape.name);
-    const auto read = box_of(*shape.mesh);
-    if (const auto* why = std::get_if<std::string>(&read)) {
-      unread_.push_back(fmt::format("{} (\"{}\" {})", shape.name, shape.mesh->file.string(), *why));
-      return;
-    }
-    const MeshBox& box = std::get<MeshBox>(read);
-    DraftShape solid;
-    solid.name = shape.name;
-    solid.primitive = Primitive::kBox;
-    solid.size_m = 0.5 * (box.most - box.least);
-    solid.R = shape.R;
-    solid.p_m = shape.p_m + shape.R * (0.5 * (box.most + box.least));
-    solid.friction_coefficient = shape.friction_coefficient;
-    add_points(body, solid, shape.name + "'s mesh (its bounding box)");
-  }
-
-  const std::vector<std::string>& taken() const { return taken_; }
-  const std::vector<std::string>& unread() const { return unread_; }
-
- private:
-  void add_points(std::size_t body, const DraftShape& shape, const std::string& said) {
-    const auto points = touching_points(shape, downs_[body]);
-    for (const TouchingPoint& point : points) {
-      if (!shape.friction_coefficient) {
-        robot_->assumed.push_back(
-            fmt::format("/contacts/{}/friction_coefficient", robot_->contacts.size()));
-      }
-      robot_->contacts.push_back({names_.next(shape.name),
-                                  {body, point.p_m},
-                                  shape.friction_coefficient.value_or(kRubber),
-                                  0.0,
-                                  point.radius_m});
-    }
-    taken_.push_back(fmt::format("{} of {}", points.size(), said));
-  }
-
-  const std::vector<DraftBody>* draft_;
-  Robot* robot_;
-  std::vector<Eigen::Vector3d> downs_;
-  FreeNames names_;
-  std::vector<std::string> taken_;
-  std::vector<std::string> unread_;
-};
 
 }  // namespace
 
 void add_feet(const std::vector<DraftBody>& draft, Robot& robot, std::vector<std::string>& notes) {
   if (robot.tree.base == dynamics::BaseKind::kFixed) return;
-  Feet feet(draft, robot);
-  const std::vector<Shapes> chosen = feet.chosen();
-  for (std::size_t i = 0; i < chosen.size(); ++i) {
-    for (const DraftShape* shape : chosen[i]) feet.add(i, *shape);
+  FootPoints feet(draft, robot);
+  const std::vector<Shapes> found = chosen(draft);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    for (const DraftShape* shape : found[i]) feet.add(i, *shape);
   }
-  notes.push_back(
-      feet.taken().empty()
-          ? "no contact points: no foot of the file has a ball, box, capsule or cylinder that "
-            "collides, or a mesh that is there"
-          : fmt::format("contact points taken from shapes that collide: {}", listed(feet.taken())));
+  if (!feet.taken().empty()) {
+    notes.push_back(
+        fmt::format("contact points taken from shapes that collide: {}", listed(feet.taken())));
+  } else {
+    notes.push_back(
+        fmt::format("no contact points: no foot of the file has a ball, box, capsule or cylinder "
+                    "that collides, or a mesh that is there; {}",
+                    what_helps(draft)));
+  }
   if (!feet.unread().empty()) {
     notes.push_back(fmt::format("feet whose meshes say nothing of where they touch: {}",
                                 listed(feet.unread())));

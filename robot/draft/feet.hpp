@@ -14,7 +14,7 @@ namespace torquewright::hopper {
 /// Balls touch as they are, capsules and cylinders that lie by a ball at either end, boxes and
 /// cylinders that stand by four points of the side that is the lower one where all joints are at
 /// zero. Where the file states no friction it is assumed, and the robot says so. Notes say what was
-/// taken, or that nothing was. Requires that no draft is welded.
+/// taken, or that nothing was and what would help. Requires that no draft is welded.
 void add_feet(const std::vector<DraftBody>& draft, Robot& robot, std::vector<std::string>& notes);
 
 }  // namespace torquewright::hopper

@@ -6,6 +6,7 @@
 
 #include "robot/draft/feet.hpp"
 #include "robot/draft/mended_inertia.hpp"
+#include "robot/draft/named_feet.hpp"
 #include "robot/draft/no_limits.hpp"
 #include "robot/parts/plausible_inertia.hpp"
 
@@ -106,7 +107,11 @@ void finish(std::vector<DraftBody> draft, const ImportFileOptions& options, Impo
     imported.body_places.push_back(place_of(next.source));
     imported.joint_places.push_back(place_of(next.joint_source));
   }
-  add_feet(whole.draft, imported.robot, imported.notes);
+  if (options.feet.empty()) {
+    add_feet(whole.draft, imported.robot, imported.notes);
+  } else {
+    add_named_feet(whole.draft, options.feet, imported.robot, imported.notes);
+  }
   refuse_inertias(draft, whole, options, tree, faults);
   faults.refuse();
 }

@@ -1,10 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace torquewright::hopper {
+
+/// The sole of a foot, level in the axes of what it is a sole of, in m.
+struct SolePatch {
+  double x_least_m = 0, x_most_m = 0, y_least_m = 0, y_most_m = 0, z_m = 0;
+};
+
+/// Feet that a user names, in the place of those that names and shapes tell.
+struct NamedFeet {
+  std::string pattern;  ///< Of links, geoms and sites; * stands for any letters.
+  std::optional<SolePatch> sole = {};
+};
 
 /// What a reader of foreign files may be told.
 struct ImportFileOptions {
@@ -22,6 +34,7 @@ struct ImportFileOptions {
   bool welds_locked = false;  ///< URDF's joints whose limits are left out, or both zero.
   /// Elements and attributes that are left behind though the format's list refuses them, by name.
   std::vector<std::string> ignored_words = {};
+  std::vector<NamedFeet> feet = {};  ///< Empty: those that names and shapes tell.
 };
 
 }  // namespace torquewright::hopper

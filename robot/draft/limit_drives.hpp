@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
+#include "robot/draft/draft.hpp"
 #include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
@@ -20,13 +22,23 @@ struct LimitDrives {
     std::size_t drive = 0;  ///< Which of the above turns it.
   };
   std::vector<Assignment> assignments;
-  std::vector<std::string> notes;  ///< Joints that none was made for, and why.
+  /// A drive within a closed loop, of which nobody named the actuator.
+  struct LoopAssignment {
+    std::size_t mechanism = 0;  ///< Of the robot's.
+    std::size_t actuator = 0;   ///< Of the mechanism's.
+    std::size_t drive = 0;
+  };
+  std::vector<LoopAssignment> in_loops;
+  std::vector<std::string> unlimited;  ///< Drives of loops that state no limit of torque.
+  std::vector<std::string> notes;      ///< Joints that none was made for, and why.
 };
 
-/// A drive for each joint that turns, states a limit of torque and has no drive yet: that torque at
-/// every speed, up to the limit of speed if it states one, friction and gears apart, as simulators
-/// take both limits.
-LimitDrives limit_drives(const Robot& robot);
+/// A drive for each joint that states a limit of torque, or of force, and has no drive yet: that
+/// torque at every speed, up to the limit of speed if it states one, friction and gears apart, as
+/// simulators take both limits. The same for drives of mechanisms whose actuator_files is "", of
+/// what `loop_drives` says of them. Of a slide, what documents call a torque is a force.
+LimitDrives limit_drives(const Robot& robot,
+                         const std::map<std::string, StatedDrive>& loop_drives = {});
 
 /// The same drives in the robot itself (Drivetrain::is_of_limits): no document of its joints'
 /// motors need be there for a motion to be held against what they state.

@@ -18,8 +18,10 @@ namespace {
 using nlohmann::ordered_json;
 
 struct Limits {
-  double torque_Nm;
-  double speed_rad_s;
+  double torque_Nm;    ///< Of a slide in N,
+  double speed_rad_s;  ///< and in m/s.
+  bool pushes;
+  double coulomb_Nm = 0.0, viscous_Nm_s_rad = 0.0;
   friend bool operator==(const Limits&, const Limits&) = default;
 };
 
@@ -34,31 +36,80 @@ bool is_stated(double limit) { return std::isfinite(limit) && limit > 0.0; }
 /// Beyond any joint; what the document's schema allows.
 constexpr double kAnySpeed_rad_s = 1e5;
 
+Limits limits_of(const dynamics::JointLimits& stated, bool pushes) {
+  return {stated.effort_max, is_stated(stated.speed_max) ? stated.speed_max : kAnySpeed_rad_s,
+          pushes};
+}
+
 std::string name_of(const Limits& limits) {
+  const char* torque = limits.pushes ? "N" : "Nm";
   if (limits.speed_rad_s == kAnySpeed_rad_s) {
-    return fmt::format("{:g} Nm at any speed", limits.torque_Nm);
+    return fmt::format("{:g} {} at any speed", limits.torque_Nm, torque);
   }
-  return fmt::format("{:g} Nm up to {:g} rad/s", limits.torque_Nm, limits.speed_rad_s);
+  return fmt::format("{:g} {} up to {:g} {}", limits.torque_Nm, torque, limits.speed_rad_s,
+                     limits.pushes ? "m/s" : "rad/s");
 }
 
 std::string file_of(const Limits& limits) {
+  const char* torque = limits.pushes ? "N" : "Nm";
   if (limits.speed_rad_s == kAnySpeed_rad_s) {
-    return fmt::format("drive_{:g}Nm.json", limits.torque_Nm);
+    return fmt::format("drive_{:g}{}.json", limits.torque_Nm, torque);
   }
-  return fmt::format("drive_{:g}Nm_{:g}rad_s.json", limits.torque_Nm, limits.speed_rad_s);
+  return fmt::format("drive_{:g}{}_{:g}{}.json", limits.torque_Nm, torque, limits.speed_rad_s,
+                     limits.pushes ? "m_s" : "rad_s");
+}
+
+void add_effect(const char* effect, const char* parameter, double value, ordered_json& document) {
+  if (value == 0.0) return;
+  document["effects"].push_back(
+      {{"effect", effect}, {"parameters", {{parameter, value}}}, {"provenance", "imported"}});
 }
 
 std::string document_of(const Limits& limits) {
-  const ordered_json document{{"kind", "actuator"},
-                              {"version", 1},
-                              {"name", name_of(limits)},
-                              {"envelope",
-                               {{"side", "joint"},
-                                {"losses", "apart"},
-                                {"peak_torque_Nm", limits.torque_Nm},
-                                {"maximum_speed_rad_s", limits.speed_rad_s}}}};
+  ordered_json document{{"kind", "actuator"},
+                        {"version", 1},
+                        {"name", name_of(limits)},
+                        {"envelope",
+                         {{"side", "joint"},
+                          {"losses", "apart"},
+                          {"peak_torque_Nm", limits.torque_Nm},
+                          {"maximum_speed_rad_s", limits.speed_rad_s}}}};
+  add_effect("coulomb_friction", "coulomb_Nm", limits.coulomb_Nm, document);
+  add_effect("viscous_friction", "viscous_Nm_s_rad", limits.viscous_Nm_s_rad, document);
   return io::json_layout(document);
 }
+
+/// Alike limits share a drive.
+class Shelf {
+ public:
+  explicit Shelf(LimitDrives& made) : made_(made) {}
+
+  std::size_t drive_of(const Limits& limits) {
+    const auto place =
+        static_cast<std::size_t>(std::find(known_.begin(), known_.end(), limits) - known_.begin());
+    if (place == known_.size()) {
+      known_.push_back(limits);
+      made_.drives.push_back({free_file(file_of(limits)), document_of(limits)});
+    }
+    return place;
+  }
+
+ private:
+  /// Alike limits may have other drag.
+  std::string free_file(const std::string& file) const {
+    const std::string stem = file.substr(0, file.rfind(".json"));
+    std::string name = file;
+    const auto is_taken = [&](const auto& drive) { return drive.file == name; };
+    for (int number = 2; std::any_of(made_.drives.begin(), made_.drives.end(), is_taken);
+         ++number) {
+      name = fmt::format("{}_{}.json", stem, number);
+    }
+    return name;
+  }
+
+  LimitDrives& made_;
+  std::vector<Limits> known_;
+};
 
 void note(const char* why, const std::vector<std::string>& joints, LimitDrives& made) {
   if (joints.empty()) return;
@@ -68,38 +119,52 @@ void note(const char* why, const std::vector<std::string>& joints, LimitDrives& 
 
 }  // namespace
 
-LimitDrives limit_drives(const Robot& robot) {
+LimitDrives limit_drives(const Robot& robot,
+                         const std::map<std::string, StatedDrive>& loop_drives) {
   LimitDrives made;
-  std::vector<Limits> known;
-  std::vector<std::string> slides, without_torque, without_speed;
+  Shelf shelf(made);
+  std::vector<std::string> without_torque, without_speed, slides;
   for (std::size_t body = 1; body < robot.tree.bodies.size(); ++body) {
     const dynamics::Joint& joint = robot.tree.bodies[body].joint;
     if (is_driven(robot, body)) continue;
-    const bool has_speed = is_stated(joint.limits.speed_max);
-    const Limits limits{joint.limits.effort_max,
-                        has_speed ? joint.limits.speed_max : kAnySpeed_rad_s};
-    if (joint.kind != dynamics::JointKind::kRevolute) {
-      slides.push_back(joint.name);
-    } else if (!is_stated(limits.torque_Nm)) {
+    if (!is_stated(joint.limits.effort_max)) {
       without_torque.push_back(joint.name);
-    } else {
-      if (!has_speed) without_speed.push_back(joint.name);
-      const auto place =
-          static_cast<std::size_t>(std::find(known.begin(), known.end(), limits) - known.begin());
-      if (place == known.size()) {
-        known.push_back(limits);
-        made.drives.push_back({file_of(limits), document_of(limits)});
+      continue;
+    }
+    const bool pushes = joint.kind == dynamics::JointKind::kPrismatic;
+    if (pushes) slides.push_back(joint.name);
+    if (!is_stated(joint.limits.speed_max)) without_speed.push_back(joint.name);
+    made.assignments.push_back({joint.name, shelf.drive_of(limits_of(joint.limits, pushes))});
+  }
+  for (std::size_t i = 0; i < robot.drivetrains.size(); ++i) {
+    const Drivetrain& drivetrain = robot.drivetrains[i];
+    for (std::size_t j = 0; j < drivetrain.actuator_files.size(); ++j) {
+      if (!drivetrain.actuator_files[j].empty()) continue;
+      const std::string& name = drivetrain.actuator_names[j];
+      const auto stated = loop_drives.find(name);
+      if (stated == loop_drives.end() || !is_stated(stated->second.limits.effort_max)) {
+        made.unlimited.push_back(name);
+        continue;
       }
-      made.assignments.push_back({joint.name, place});
+      const StatedDrive& drive = stated->second;
+      if (drive.pushes) slides.push_back(name);
+      if (!is_stated(drive.limits.speed_max)) without_speed.push_back(name);
+      Limits limits = limits_of(drive.limits, drive.pushes);
+      limits.coulomb_Nm = drive.coulomb_Nm;
+      limits.viscous_Nm_s_rad = drive.viscous_Nm_s_rad;
+      made.in_loops.push_back({i, j, shelf.drive_of(limits)});
     }
   }
-  note("slide", slides, made);
   note("state no limit of torque", without_torque, made);
   if (!without_speed.empty()) {
     made.notes.push_back(
-        fmt::format("the drives of {} joints that state no limit of speed have "
-                    "their torque at any: {}",
-                    without_speed.size(), fmt::join(without_speed, ", ")));
+        fmt::format("drives of joints that state no limit of speed have their torque at any: {}",
+                    fmt::join(without_speed, ", ")));
+  }
+  if (!slides.empty()) {
+    made.notes.push_back(fmt::format(
+        "of drives that push ({}) the documents' torques are forces in N, their speeds m/s",
+        fmt::join(slides, ", ")));
   }
   return made;
 }
@@ -127,6 +192,11 @@ void drive_by_limits(Robot& robot) {
 std::string with_limit_drives(const LimitDrives& made, const std::string& folder,
                               const std::string& robot) {
   ordered_json document = ordered_json::parse(robot);
+  for (const LimitDrives::LoopAssignment& one : made.in_loops) {
+    const std::string& file = made.drives[one.drive].file;
+    document["mechanisms"][one.mechanism]["actuators"][one.actuator] =
+        folder.empty() ? file : folder + "/" + file;
+  }
   for (const LimitDrives::Assignment& one : made.assignments) {
     const std::string& file = made.drives[one.drive].file;
     document["mechanisms"].push_back(

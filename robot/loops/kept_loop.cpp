@@ -97,7 +97,7 @@ Drivetrain KeptLoop::drivetrain(const std::vector<std::size_t>& index) const {
 
 void KeptLoop::add_notes(const std::string& why_kept, std::vector<std::string>& notes) const {
   double links_kg = 0;
-  std::vector<std::string> own, drives, dry, limited;
+  std::vector<std::string> own, drives, limited;
   for (const std::size_t joint : loop.joints) {
     own.push_back(fmt::format("\"{}\"", draft[joint].body.joint.name));
   }
@@ -105,7 +105,6 @@ void KeptLoop::add_notes(const std::string& why_kept, std::vector<std::string>& 
   for (const std::size_t link : loop.links) {
     const dynamics::Joint& joint = draft[link].body.joint;
     links_kg += draft[link].body.inertia.mass_kg;
-    if (joint.passive.dry_friction != 0) dry.push_back(fmt::format("\"{}\"", joint.name));
     if (std::isfinite(joint.limits.effort_max)) {
       limited.push_back(fmt::format("\"{}\"", joint.name));
     }
@@ -115,19 +114,15 @@ void KeptLoop::add_notes(const std::string& why_kept, std::vector<std::string>& 
   notes.push_back(
       loop.mechanism
           ? fmt::format("what moves {} is kept as a loop of its own bodies, driven at {}, {}: "
-                        "closed by numbers, its links' weight counted; no mechanism of closed form "
+                        "closed by numbers, its links' weight and friction counted; no mechanism "
+                        "of closed form "
                         "is it: {}",
                         fmt::join(own, " and "), fmt::join(drives, " and "), links, why_kept)
-          : fmt::format("{} follow {} (key followers): closed by numbers, their weight and springs "
-                        "counted; no mechanism is it: {}",
-                        links, fmt::join(own, ", "), why_kept));
+          : fmt::format(
+                "{} follow {} (key followers): closed by numbers, their weight, springs and "
+                "friction counted; no mechanism is it: {}",
+                links, fmt::join(own, ", "), why_kept));
   if (loop.follower) add_note_of_ends(notes);
-  if (!dry.empty()) {
-    notes.push_back(fmt::format(
-        "dry friction of {}, joints within a loop, acts in no computation; state it in the drive's "
-        "document",
-        fmt::join(dry, ", ")));
-  }
   if (!limited.empty()) {
     notes.push_back(fmt::format(
         "limits of effort of {}, joints within a loop, bind nothing: its drive's document does",

@@ -70,6 +70,11 @@ void KeptLoops::put_in_robot(const std::vector<std::size_t>& index, Imported& im
     const KeptLoop kept{loop, draft_, driven_, options_.drops_link_mass};
     if (loop.mechanism) {
       imported.robot.drivetrains.push_back(kept.drivetrain(index));
+      for (const std::size_t turned : loop.turned) {
+        const dynamics::Joint& joint = draft_[turned].body.joint;
+        imported.loop_drives[drive_of(draft_, driven_, turned)] = {
+            joint.kind == dynamics::JointKind::kPrismatic, joint.limits, 0.0, 0.0};
+      }
     } else {
       imported.robot.followers.push_back(kept.follower(index));
     }

@@ -256,6 +256,11 @@ class LinkageReader {
         drivetrain.joints.push_back(index_[held]);
       }
       drivetrain.actuator_names = names_of(linkage);
+      for (const RodLoop& loop : linkage.loops) {
+        const dynamics::Joint& crank = draft_[loop.crank].body.joint;
+        imported_.loop_drives[drive_of(draft_, driven_, loop.crank)] = {
+            false, crank.limits, crank.passive.dry_friction, crank.passive.damping};
+      }
       drivetrain.rotors_in_tree = false;
       if (states_rotors(linkage)) drivetrain.stated_rotors_kg_m2 = linkage.rotors_kg_m2;
       if (!options_.drops_link_mass) drivetrain.cranks_kg_m2 = linkage.cranks_kg_m2;
@@ -270,15 +275,18 @@ class LinkageReader {
   /// A mechanism has no friction of its own.
   void note_drag(const Linkage& linkage) {
     for (const RodLoop& loop : linkage.loops) {
-      std::vector<std::size_t> links = loop.rod;
-      links.push_back(loop.crank);
-      for (const std::size_t link : links) {
+      const dynamics::Joint& crank = draft_[loop.crank].body.joint;
+      if (!crank.passive.is_none()) {
+        imported_.notes.push_back(fmt::format(
+            "damping and friction of \"{}\", a crank's joint, are its drive's: --actuators writes "
+            "them to its document, and any other must state them",
+            crank.name));
+      }
+      for (const std::size_t link : loop.rod) {
         const dynamics::Joint& joint = draft_[link].body.joint;
         if (joint.passive.is_none()) continue;
         imported_.notes.push_back(fmt::format(
-            "damping and friction of \"{}\", a joint of a crank or a rod, are not held; state them "
-            "in the drive's document",
-            joint.name));
+            "damping and friction of \"{}\", a joint of a rod, are not held", joint.name));
       }
     }
   }
@@ -291,7 +299,9 @@ class LinkageReader {
         continue;
       }
       imported_.notes.push_back(
-          fmt::format("range and limit of effort of crank joint \"{}\" are not held", crank.name));
+          fmt::format("range and limit of effort of crank joint \"{}\" are not held: its drive's "
+                      "document limits what it gives (--actuators makes it of the file's limits)",
+                      crank.name));
     }
   }
 

@@ -3,6 +3,7 @@
 #include "robot/mechanisms/linked_bodies.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dynamics/inverse_dynamics.hpp"
 #include "dynamics/mass_matrix.hpp"
@@ -51,6 +52,34 @@ dynamics::Tree with_links(dynamics::Tree tree, const std::vector<HeldLoop>& loop
     }
   }
   return tree;
+}
+
+// Of joints whose friction moves the robot's own one by one a single sweep is exact.
+constexpr int kMostSweeps = 1000;
+constexpr double kSettled = 1e-13;  // of the greatest limit
+
+/// A joint that rests, by what a unit torque in it is at the robot's velocities.
+struct RestingJoint {
+  Eigen::VectorXd direction;
+  double most = 0.0;
+  double held = 0.0;
+};
+
+/// The torques within limits that leave the least of what is needed, each in turn.
+void hold_against(Eigen::VectorXd needed, std::vector<RestingJoint>& resting) {
+  double greatest = 0.0;
+  for (const RestingJoint& joint : resting) greatest = std::max(greatest, joint.most);
+  for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
+    double change = 0.0;
+    for (RestingJoint& joint : resting) {
+      const double along = joint.direction.dot(needed) / joint.direction.squaredNorm();
+      const double next = std::clamp(joint.held + along, -joint.most, joint.most);
+      needed -= (next - joint.held) * joint.direction;
+      change = std::max(change, std::abs(next - joint.held));
+      joint.held = next;
+    }
+    if (change <= kSettled * greatest) return;
+  }
 }
 
 }  // namespace
@@ -114,6 +143,36 @@ void LinkedBodiesOf<T>::add_dampers_and_springs(VectorOutOf<T> force) const {
   VectorX<T> all = VectorX<T>::Zero(motions_.rows());
   dynamics::add_dampers_and_springs(state_, all);
   force += motions_.transpose() * all;
+}
+
+template <typename T>
+void LinkedBodiesOf<T>::add_dry_friction(
+    const dynamics::VectorIn& acceleration,
+    dynamics::VectorOut force) const requires std::same_as<T, double> {
+  const Eigen::VectorXd rates = motions_ * acceleration + bent_;
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(motions_.rows());
+  dynamics::add_dry_friction(state_, rates, all);
+  force += motions_.transpose() * all;
+}
+
+template <typename T>
+void LinkedBodiesOf<T>::held_by_friction(
+    const dynamics::VectorIn& acceleration, const dynamics::VectorIn& needed,
+    dynamics::VectorOut held) const requires std::same_as<T, double> {
+  const Eigen::VectorXd rates = motions_ * acceleration + bent_;
+  const std::vector<dynamics::Body>& bodies = state_.tree().bodies;
+  std::vector<RestingJoint> resting;
+  for (std::size_t i = 1; i < bodies.size(); ++i) {
+    const Index row = state_.joint_row(i);
+    const double most = dynamics::friction_limit(bodies[i].joint.passive, 0.0);
+    const bool moves = std::abs(state_.joint_velocity(i)) > dynamics::kRest ||
+                       std::abs(rates[row]) > dynamics::kRest;
+    if (most == 0.0 || moves || motions_.row(row).isZero(0.0)) continue;
+    resting.push_back({motions_.row(row).transpose(), most});
+  }
+  hold_against(needed, resting);
+  held.setZero();
+  for (const RestingJoint& joint : resting) held += joint.held * joint.direction;
 }
 
 template class LinkedBodiesOf<double>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <concepts>
 #include <vector>
 
 #include "robot/mechanisms/closed_links.hpp"
@@ -33,8 +34,18 @@ class LinkedBodiesOf {
                         dynamics::VectorOutOf<T> force);
   /// Of all joints, the robot's own too.
   void add_dampers_and_springs(dynamics::VectorOutOf<T> force) const;
+  /// Adds what dry friction takes of joints that move or begin to, the robot's own too.
+  void add_dry_friction(const dynamics::VectorIn& acceleration,
+                        dynamics::VectorOut force) const requires std::same_as<T, double>;
+  /// Writes what dry friction of joints that rest and stay so holds of needed forces (n x 1): the
+  /// nearest to them that the joints' limits, over the robot's own velocities, allow.
+  void held_by_friction(const dynamics::VectorIn& acceleration, const dynamics::VectorIn& needed,
+                        dynamics::VectorOut held) const requires std::same_as<T, double>;
+  /// How fast each joint, links' behind the robot's own, moves with each velocity (m x n): N.
+  const Eigen::Matrix<T, Eigen::Dynamic, Eigen::Dynamic>& motions() const { return motions_; }
   /// All bodies as they stand and move.
   dynamics::TreeStateOf<T>& state() { return state_; }
+  const dynamics::TreeStateOf<T>& state() const { return state_; }
 
  private:
   std::vector<HeldLoop> loops_;

@@ -363,6 +363,7 @@ class MjcfReader {
     if (has_loops_) landmarks_.add(body, held, seen, context_);
     for (const Placed& placed : held) {
       if (placed.element->name == "body") read_body(placed, seen);
+      if (placed.element->name == "site" && !options_.feet.empty()) mark_site(placed, seen);
       if (placed.element->name != "geom") continue;
       Placed paired = placed;
       const Element geom = as_paired(*placed.element, pairs_);
@@ -373,6 +374,14 @@ class MjcfReader {
       shape->R = seen.R * shape->R;
       draft_[seen.draft].shapes.push_back(std::move(*shape));
     }
+  }
+
+  void mark_site(const Placed& placed, const Seen& seen) {
+    const Element site = defaults_.completed(*placed.element, placed.childclass);
+    if (find_attribute(site, "fromto") != nullptr || is_blank(attribute(site, "name"))) return;
+    const Placed own = pose_of(placed, site, context_);
+    draft_[seen.draft].marks.push_back(
+        {attribute(site, "name"), seen.R * own.R, seen.p_m + seen.R * own.p_m});
   }
 
   /// All of the world's mass counts.

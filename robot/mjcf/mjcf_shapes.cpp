@@ -81,6 +81,7 @@ std::optional<DraftShape> colliding_shape(const Placed& placed, const std::strin
   }
   shape.name = attribute(geom, "name");
   shape.link = body;
+  shape.group = attribute(*placed.element, "class");
   if (is_blank(shape.name)) shape.name = (is_blank(body) ? "body" : body) + ending;
   shape.p_m = pose.p_m;
   shape.R = pose.R;

@@ -240,6 +240,59 @@ void WholeBodyOf<T>::add_dampers_and_springs(VectorOutOf<T> force) const {
 }
 
 template <typename T>
+void WholeBodyOf<T>::add_dry_friction(const VectorIn& acceleration,
+                                      VectorOut force) const requires std::same_as<T, double> {
+  if (linked_.is_empty()) {
+    dynamics::add_dry_friction(state_, acceleration, force);
+  } else {
+    linked_.add_dry_friction(acceleration, force);
+  }
+}
+
+template <typename T>
+void WholeBodyOf<T>::held_by_friction(const VectorIn& acceleration, const VectorIn& needed,
+                                      VectorOut held) const requires std::same_as<T, double> {
+  if (linked_.is_empty()) {
+    dynamics::held_by_friction(state_, acceleration, needed, held);
+  } else {
+    linked_.held_by_friction(acceleration, needed, held);
+  }
+}
+
+template <typename T>
+std::span<const dynamics::Body> WholeBodyOf<T>::links() const {
+  if (linked_.is_empty()) return {};
+  return std::span(linked_.state().tree().bodies).subspan(state_.tree().bodies.size());
+}
+
+template <typename T>
+dynamics::VectorX<T> WholeBodyOf<T>::link_motion(std::size_t link) const {
+  return linked_.motions().row(state_.velocity().size() + static_cast<Index>(link)).transpose();
+}
+
+template <typename T>
+void WholeBodyOf<T>::add_link_inertia(
+    dynamics::MatrixOutOf<T> out) requires std::same_as<T, double> {
+  if (linked_.is_empty()) return;
+  Eigen::MatrixXd with(out.rows(), out.cols()), without(out.rows(), out.cols());
+  linked_.mass_matrix(with);
+  dynamics::mass_matrix(state_, without);
+  out += with - without;
+}
+
+template <typename T>
+void WholeBodyOf<T>::add_link_forces(VectorOutOf<T> force) requires std::same_as<T, double> {
+  if (linked_.is_empty()) return;
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(force.size());
+  Eigen::VectorXd with(force.size()), without(force.size());
+  linked_.inverse_dynamics(rest, with);
+  linked_.add_dampers_and_springs(with);
+  dynamics::inverse_dynamics(state_, rest, without);
+  dynamics::add_dampers_and_springs(state_, without);
+  force += with - without;
+}
+
+template <typename T>
 dynamics::Centroid WholeBodyOf<T>::centroid() requires std::same_as<T, double> {
   return dynamics::centroid(linked_.is_empty() ? state_ : linked_.state());
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <concepts>
+#include <span>
 #include <vector>
 
 #include "dynamics/momentum.hpp"
@@ -87,6 +88,22 @@ class WholeBodyOf {
   void body_forces(const dynamics::VectorInOf<T>& acceleration, dynamics::VectorOutOf<T> force);
   /// Adds what dampers and springs take, those in loops among them.
   void add_dampers_and_springs(dynamics::VectorOutOf<T> force) const;
+  /// Adds what dry friction takes of joints that move or begin to as the acceleration says, links'
+  /// among them; docs/derivations/passive_forces.md eq. (2).
+  void add_dry_friction(const dynamics::VectorIn& acceleration,
+                        dynamics::VectorOut force) const requires std::same_as<T, double>;
+  /// Writes what dry friction holds of needed forces, of joints that rest and stay so, links' among
+  /// them; eq. (3).
+  void held_by_friction(const dynamics::VectorIn& acceleration, const dynamics::VectorIn& needed,
+                        dynamics::VectorOut held) const requires std::same_as<T, double>;
+  /// Joints of the links of loops, behind those of state()'s tree; empty where none counts.
+  std::span<const dynamics::Body> links() const;
+  /// How fast links()[link] moves with each velocity (n x 1), in the posture that is set.
+  dynamics::VectorX<T> link_motion(std::size_t link) const;
+  /// Adds what links weigh (n x n), and the forces that they, their dampers and springs take where
+  /// the velocities do not change (n x 1).
+  void add_link_inertia(dynamics::MatrixOutOf<T> out) requires std::same_as<T, double>;
+  void add_link_forces(dynamics::VectorOutOf<T> force) requires std::same_as<T, double>;
   /// Mass, momentum and inertia of all bodies, links of loops among them.
   dynamics::Centroid centroid() requires std::same_as<T, double>;
   /// Adds what rotors take for an acceleration, at the joints: A^T I (A a + A' v).

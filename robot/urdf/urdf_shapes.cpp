@@ -75,7 +75,9 @@ std::vector<DraftShape> urdf_shapes(const Element& link, const std::string& name
     const Element* geometry = faults.only_child(*collision, "geometry");
     auto shape = geometry == nullptr ? std::nullopt : shape_in(*geometry, faults);
     if (!shape) continue;
-    shape->name = shape->link = name;
+    shape->link = name;
+    shape->name = attribute(*collision, "name");
+    if (is_blank(shape->name)) shape->name = name;
     if (const Element* origin = faults.only_child(*collision, "origin")) {
       shape->p_m = faults.vector(*origin, "xyz", Vector3d::Zero());
       shape->R = rotation_of_rpy(faults.vector(*origin, "rpy", Vector3d::Zero()));

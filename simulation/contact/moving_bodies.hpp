@@ -25,6 +25,12 @@ class MovingBodies {
   /// Writes the forces (n x 1) that hold accelerations at zero, with the joints' dampers and
   /// springs and without their dry friction.
   virtual void bias(dynamics::VectorOut out) = 0;
+  /// Writes how fast a joint moves with each velocity (n x 1), by its row: of the tree's own its
+  /// own velocity. Rows beyond the velocities are those of joints that move with others.
+  virtual void joint_motion(Eigen::Index row, dynamics::VectorOut out) {
+    out.setZero();
+    out[row] = 1.0;
+  }
 };
 
 /// A tree without anything that turns with it.

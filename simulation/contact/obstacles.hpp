@@ -27,7 +27,9 @@ struct JointStop {
 
 /// Dry friction of a joint.
 struct JointFriction {
-  Eigen::Index row = 0;  ///< Row of the joint in vectors of velocities.
+  /// Row of the joint in vectors of velocities; of a joint that moves with others (a link's of a
+  /// closed loop) one beyond these, by MovingBodies::joint_motion().
+  Eigen::Index row = 0;
   double moving = 0.0;   ///< Friction while it moves, in N m or N.
   double resting = 0.0;  ///< The most that it holds at rest, no less.
 };

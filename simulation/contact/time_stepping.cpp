@@ -256,7 +256,7 @@ void TimeStepping::answer_by_friction(double step_s) {
   for (std::size_t i = 0; i < obstacles_.frictions.size(); ++i) {
     const JointFriction& friction = obstacles_.frictions[i];
     const Index row = first_friction_row() + 3 * static_cast<Index>(i);
-    const bool rests = std::abs(velocity_[friction.row]) <= dynamics::kRest;
+    const bool rests = std::abs(met().directions.col(row).dot(velocity_)) <= dynamics::kRest;
     const double response_1_kg = met().problem.response_1_kg(row, row);
     met().problem.response_1_kg.diagonal().segment<2>(row + 1).setConstant(response_1_kg);
     met().problem.free_m_s[row + 2] =
@@ -305,7 +305,7 @@ void TimeStepping::fill_rows() {
 void TimeStepping::fill_friction_rows() {
   for (std::size_t i = 0; i < obstacles_.frictions.size(); ++i) {
     const Index row = first_friction_row() + 3 * static_cast<Index>(i);
-    met().directions(obstacles_.frictions[i].row, row) = 1.0;
+    bodies_.joint_motion(obstacles_.frictions[i].row, met().directions.col(row));
     met().problem.friction_coefficients[row / 3] = 1.0;
     met().impulses[row] = friction_impulses_[static_cast<Index>(i)];
   }

@@ -100,6 +100,46 @@ TEST(LimitsAreDrives, AJointWithoutALimitOfSpeedHasItsTorqueAtAny) {
       << imported.out;
 }
 
+/// A knee that a crank turns by a rod, both of no weight to speak of, with a motor of that range.
+std::string cranked_knee(const std::string& motor) {
+  const std::string light = "<inertial pos='0 0 0' mass='1e-4' diaginertia='1e-8 1e-8 1e-8'/>";
+  return "<mujoco><compiler angle='radian'/><worldbody><body name='thigh'>"
+         "<inertial pos='0 0 0' mass='3' diaginertia='0.1 0.1 0.1'/>"
+         "<body name='crank' pos='0.15 0 0'><joint name='c' axis='0 1 0' damping='0.2' "
+         "frictionloss='0.3'/>" +
+         light + "<body name='rod' pos='0 0 -0.05'><joint name='r' axis='0 1 0'/>" + light +
+         "</body></body><body name='shank'><joint name='knee' axis='0 1 0' limited='true' "
+         "range='-0.5 0.5'/><inertial pos='0 0 -0.2' mass='2' diaginertia='0.02 0.02 0.01'/></body>"
+         "</body></worldbody><equality><connect body1='shank' body2='rod' anchor='0 0 -0.06'/>"
+         "</equality><actuator><motor name='knee_motor' joint='c' " +
+         motor + "/></actuator></mujoco>";
+}
+
+// Oracle: the file's own numbers; nothing is written where the drive states no limit.
+TEST(LimitsAreDrives, OfCranksToo) {
+  Workplace place;
+  place.write("leg.xml", cranked_knee("ctrllimited='true' ctrlrange='-30 30'"));
+  const Outcome imported =
+      place.run({"robot", "import", "leg.xml", "--actuators", "drives", "-o", "leg.json"});
+  ASSERT_EQ(imported.exit_code, 0) << imported.err;
+  const json mechanism = json::parse(place.files().at("leg.json"))["mechanisms"][0];
+  EXPECT_EQ(mechanism["type"], "four_bar");
+  const std::string file = mechanism["actuators"][0];
+  const json drive = json::parse(place.files().at(file));
+  EXPECT_EQ(drive["envelope"]["peak_torque_Nm"], 30.0);
+  EXPECT_EQ(drive["effects"][0]["parameters"]["coulomb_Nm"], 0.3);
+  EXPECT_EQ(drive["effects"][1]["parameters"]["viscous_Nm_s_rad"], 0.2);
+  place.write("leg.xml", cranked_knee(""));
+  const Outcome refused =
+      place.run({"robot", "import", "leg.xml", "--actuators", "other", "-o", "other.json"});
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_NE(refused.err.find("the drive knee_motor of a loop states no limit of torque"),
+            std::string::npos)
+      << refused.err;
+  EXPECT_FALSE(place.has("other"));
+  EXPECT_FALSE(place.has("other.json"));
+}
+
 TEST(LimitsAreDrives, SimulatorsGetThem) {
   Workplace place;
   report_of(place, "effort=\"10\" velocity=\"5\"");

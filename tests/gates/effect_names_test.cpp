@@ -27,6 +27,7 @@ const std::vector<Excuse> kMayNameEffects = {
     {"identification/outputs/bam_json.cpp", "translates effects into the parameters of BAM"},
     {"identification/outputs/frc.cpp",
      "translates effects into the constants of FRC's feedforward"},
+    {"robot/draft/limit_drives_json.cpp", "translates the drag of a file's crank into effects"},
     {"src/report/gearbox/design_text.cpp",
      "reports the play of a gearbox's teeth, which is no effect"},
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/faults/spec_error.hpp"
 #include "robot/mjcf/mjcf_reader.hpp"
 #include "robot/urdf/urdf_reader.hpp"
 #include "tests/io/scratch_folder.hpp"
@@ -157,6 +158,114 @@ TEST(Feet, ThatAreMissingAreSaid) {
   const Imported fixed =
       read_urdf(folder.write("r.urdf", "<robot name='r'><link name='world'/></robot>"));
   EXPECT_EQ(test::all_of(fixed.notes).find("contact points"), std::string::npos);
+}
+
+ImportFileOptions on(const std::vector<NamedFeet>& feet) {
+  ImportFileOptions options;
+  options.feet = feet;
+  return options;
+}
+
+// A trunk on a calf; welded to that a sole without a shape, and a foot whose mesh is not there.
+Imported named(const std::vector<NamedFeet>& feet) {
+  const std::string fixed =
+      "<joint name='k' type='fixed'><origin xyz='0.01 0 -0.2' "
+      "rpy='0 0 1.5707963267948966'/><parent link='calf'/>"
+      "<child link='l_sole'/></joint><joint name='m' type='fixed'>"
+      "<parent link='calf'/><child link='l_foot'/></joint>";
+  const test::ScratchFolder folder;
+  return read_urdf(folder.write("r.urdf", "<robot name='r'><link name='trunk'>" + kLinkMass +
+                                              "</link><link name='calf'>" + kLinkMass +
+                                              shape("<box size='0.1 0.1 0.2'/>") +
+                                              "</link><link name='l_sole'/><link name='l_foot'>" +
+                                              shape("<mesh filename='foot.stl'/>") +
+                                              "</link><joint name='j' type='continuous'>"
+                                              "<parent link='trunk'/><child link='calf'/></joint>" +
+                                              fixed + "</robot>"),
+                   on(feet));
+}
+
+std::string why_not(const std::vector<NamedFeet>& feet) {
+  try {
+    (void)named(feet);
+    return "was read";
+  } catch (const io::SpecError& error) {
+    return error.what();
+  }
+}
+
+// Its place, where it has no shape; what it collides with, where it has one; the sole that is
+// stated, in the link's own axes, which are turned here by a right angle: x is the calf's y.
+TEST(NamedFeet, AreTakenInThePlaceOfThoseThatNamesTell) {
+  expect_points(named({{"l_s*"}}).robot, {{0.01, 0, -0.2}}, 0);
+  expect_points(
+      named({{"calf"}}).robot,
+      {{0.05, 0.05, -0.1}, {0.05, -0.05, -0.1}, {-0.05, 0.05, -0.1}, {-0.05, -0.05, -0.1}}, 0);
+  const Imported soled = named({{"l_sole", SolePatch{-0.05, 0.12, -0.03, 0.03, -0.01}}});
+  ASSERT_EQ(soled.robot.contacts.size(), 4u);
+  for (const double x_m : {-0.05, 0.12}) {
+    for (const double y_m : {-0.03, 0.03}) {
+      const Vector3d corner(0.01 - y_m, x_m, -0.21);
+      EXPECT_TRUE(std::any_of(soled.robot.contacts.begin(), soled.robot.contacts.end(),
+                              [&](const ContactPoint& contact) {
+                                return (contact.point.p_B_m - corner).norm() < 1e-15;
+                              }))
+          << corner.transpose();
+    }
+  }
+  EXPECT_NE(test::all_of(soled.notes).find("as named by --feet: 4 of l_sole (as stated)"),
+            std::string::npos)
+      << test::all_of(soled.notes);
+  // A line has two ends.
+  EXPECT_EQ(named({{"l_sole", SolePatch{-0.05, 0.12, 0, 0, 0}}}).robot.contacts.size(), 2u);
+}
+
+TEST(NamedFeet, AreRefusedWhereTheyAreNone) {
+  EXPECT_NE(why_not({{"r_sole"}}).find("\"r_sole\" fits no link, geom or site"), std::string::npos);
+  EXPECT_NE(
+      why_not({{"l_foot"}}).find("is not there) say nothing of where they touch; state the sole"),
+      std::string::npos)
+      << why_not({{"l_foot"}});
+  const test::ScratchFolder folder;
+  EXPECT_THROW(
+      (void)read_urdf(folder.write("r.urdf", "<robot name='r'><link name='world'/></robot>"),
+                      on({{"world"}})),
+      io::SpecError);
+}
+
+TEST(NamedFeet, OfMjcfAreSitesAndGeomsToo) {
+  const test::ScratchFolder folder;
+  const std::string file = folder.write(
+      "r.xml",
+      "<mujoco><worldbody><body name='a'><freejoint/><geom size='1'/><body name='b' pos='0 0 -1'>"
+      "<joint/><geom name='bar' type='capsule' size='0.02' fromto='0 0 0 0 0 -0.3'/>"
+      "<geom name='tip' size='0.03' pos='0 0 -0.3'/>"
+      "<body name='c' pos='0.5 0 0'><site name='touch' pos='0 0.25 0'/></body></body></body>"
+      "</worldbody></mujoco>");
+  expect_points(read_mjcf(file, on({{"tip"}})).robot, {{0, 0, -0.3}}, 0.03);
+  expect_points(read_mjcf(file, on({{"touch"}})).robot, {{0.5, 0.25, 0}}, 0);
+}
+
+// A class says it too, as in "<geom class='foot'>".
+TEST(Feet, OfMjcfAreCalledSoByTheirClass) {
+  const test::ScratchFolder folder;
+  const Imported read = read_mjcf(folder.write(
+      "r.xml",
+      "<mujoco><default><default class='foot'><geom type='box' size='0.1 0.1 0.1'/></default>"
+      "</default><worldbody><body name='a'><freejoint/><geom size='1'/><body name='b'><joint/>"
+      "<geom class='foot'/><geom size='0.02' pos='0 0 0.3'/></body></body></worldbody></mujoco>"));
+  expect_points(read.robot,
+                {{0.1, 0.1, -0.1}, {0.1, -0.1, -0.1}, {-0.1, 0.1, -0.1}, {-0.1, -0.1, -0.1}}, 0);
+}
+
+// What a user could name is in the note.
+TEST(Feet, ThatAreMissingCouldBeNamed) {
+  const Imported read = standing({{{"left_foot", shape("<mesh filename='foot.stl'/>")}}});
+  EXPECT_NE(test::all_of(read.notes)
+                .find("--feet NAME=X0:X1,Y0:Y1,Z states a sole in its axes, in "
+                      "m (names: left_foot)"),
+            std::string::npos)
+      << test::all_of(read.notes);
 }
 
 }  // namespace

@@ -243,6 +243,45 @@ INSTANTIATE_TEST_SUITE_P(
                     LoopCase{"CrossedCrank", crossed_crank(), {"c"}}),
     [](const auto& one) { return std::string(one.param.name); });
 
+std::string rubbing_bar() {
+  std::string text = heavy_bar("c");
+  const std::string of_crank = "damping=\"0.1\"", of_rod = "springref=\"0.2\"";
+  text.replace(text.find(of_crank), of_crank.size(), "frictionloss=\"0.3\"");
+  return text.replace(text.find(of_rod), of_rod.size(), of_rod + " frictionloss=\"0.2\"");
+}
+
+// What friction takes at the joint is its power over the joint's speed: by MuJoCo's own ratios.
+// At rest as much is held, of a need that is less all of it.
+TEST(GeneralLoop, RubsAtItsLinks) {
+  const Robot robot = driven(imported(rubbing_bar()).robot);
+  test::MujocoLoops mujoco(rubbing_bar(), robot);
+  WholeBody body(robot);
+  const Index size = robot.tree.velocity_size();
+  VectorXd q = dynamics::zero_position(robot.tree), v = VectorXd::Zero(size);
+  q.tail(1).setConstant(-0.4);
+  ASSERT_LE(mujoco.close(q.tail(1)), 1e-12);
+  const double limit_Nm =
+      0.3 * std::abs(mujoco.ratios("c")[0]) + 0.2 * std::abs(mujoco.ratios("r")[0]);
+  ASSERT_GT(std::abs(std::abs(mujoco.ratios("c")[0]) - 1), 0.05);  // no parallelogram
+  for (const double speed_rad_s : {-1.5, 2.0}) {
+    v[size - 1] = speed_rad_s;
+    ASSERT_TRUE(body.set(q, v));
+    VectorXd force = VectorXd::Zero(size);
+    body.add_dry_friction(VectorXd::Zero(size), force);
+    EXPECT_NEAR(force[size - 1], std::copysign(limit_Nm, speed_rad_s), kAsMujoco);
+    EXPECT_EQ(force.head(size - 1).norm(), 0);
+  }
+  v.setZero();
+  ASSERT_TRUE(body.set(q, v));
+  for (const double needed_Nm : {-3.0, -0.9, 0.05, 0.9, 3.0}) {
+    VectorXd needed = VectorXd::Constant(size, 7.0), held(size);
+    needed[size - 1] = needed_Nm * limit_Nm;
+    body.held_by_friction(v, needed, held);
+    EXPECT_NEAR(held[size - 1], std::clamp(needed_Nm, -1.0, 1.0) * limit_Nm, kAsMujoco);
+    EXPECT_EQ(held.head(size - 1).norm(), 0);
+  }
+}
+
 TEST(GeneralLoop, IsOpenedWhereItIsAskedFor) {
   ImportFileOptions options;
   options.opened_loops = {"rod"};
@@ -260,6 +299,23 @@ TEST(GeneralLoop, IsRefusedWhereItDoesNotCloseOverItsRange) {
   text.replace(text.find(range), range.size(), "range=\"-2.9 2.9\"");
   const std::string said = why_not(text);
   EXPECT_NE(said.find("within the joint's range of -2.9 to 2.9"), std::string::npos) << said;
+}
+
+// Oracle: pivots 1 m apart, a pin 0.1 m from the one, crank and rod that reach 0.1 + 0.2 m from the
+// other: all in line they leave 0.6 m.
+TEST(GeneralLoop, IsRefusedWithTheGapThatNoPostureCloses) {
+  const std::string said = why_not(whole(
+      R"(<body name="crank" pos="0 0 0.5"><joint name="c" axis="0 1 0"/>)" + kRod +
+          R"(<body name="rod" pos="0 0 -0.1"><joint name="r" axis="0 1 0"/><site name="tip" pos="0 0 -0.2"/>)" +
+          kRod +
+          R"(</body></body><body name="shank" pos="0 0 -0.5"><joint name="knee" axis="0 1 0"/><site name="pin" pos="0.1 0 0"/>)" +
+          kShank + "</body>",
+      R"(<connect site1="tip" site2="pin"/>)", drive("c")));
+  EXPECT_NE(said.find("does not close from the file's posture, nor from 39 others"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find("its points stay 0.6 m apart"), std::string::npos) << said;
+  EXPECT_NE(said.find("closes a loop between \"tip\" and \"pin\""), std::string::npos) << said;
 }
 
 // Oracle: where MuJoCo's own crank stands at the end.

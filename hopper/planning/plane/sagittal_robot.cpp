@@ -250,12 +250,15 @@ void require_mirrored(const Robot& robot, const SagittalRobot& plane) {
 /// A plan's dynamics are those of the tree's bodies.
 void require_light_links(const Robot& robot) {
   const double links_kg = robot.links_kg();
-  if (links_kg == 0) return;
-  refuse(robot, fmt::format("links of its loops weigh {:.4g} kg, which a plan does not hold yet "
-                            "(hopper check and hopper replay do); robot import --link-error gives "
-                            "the mass of cranks and rods to their neighbours where a mechanism of "
-                            "closed form stands for them",
-                            links_kg));
+  const WholeBody body(robot);
+  if (body.links().empty()) return;
+  refuse(robot,
+         fmt::format("links of its loops weigh {:.4g} kg, or have springs or friction, which "
+                     "a plan does not hold yet (hopper check and hopper replay do); robot import "
+                     "--link-error gives "
+                     "the mass of cranks and rods to their neighbours where a mechanism of "
+                     "closed form stands for them",
+                     links_kg));
 }
 
 /// Forces out of the plane that a motion in it would need, over those in it.

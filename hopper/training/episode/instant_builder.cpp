@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 
-#include "dynamics/momentum.hpp"
 #include "dynamics/point.hpp"
 #include "hopper/verdict/turn.hpp"
 #include "robot/model/touching_point.hpp"
@@ -129,7 +128,7 @@ void InstantBuilder::set_state(WholeBody& body, double ground_m) {
   const Eigen::AngleAxisd turned(base.R_WB * before_.transpose());
   at_.turned_rad += turned.angle() * turned.axis().y();
   before_ = base.R_WB;
-  const dynamics::Centroid centroid = dynamics::centroid(state);
+  const dynamics::Centroid centroid = body.centroid();
   at_.momentum_Nm_s = centroid.angular_momentum_Nm_s;
   at_.rotation_rad_s = centroid.angular_velocity_rad_s;
   set_foot(state, ground_m);

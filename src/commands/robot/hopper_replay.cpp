@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "hopper/check/series.hpp"
@@ -121,6 +122,15 @@ void require_effect(const HopperReplayRequest& request) {
                 "belongs with --engine mujoco: the own engine's ground is rigid");
 }
 
+/// What an engine cannot hold of a robot it says when it is made.
+void require_held(const hopper::EngineKind& engine, const hopper::Robot& robot) {
+  try {
+    (void)engine.make(robot, {});
+  } catch (const std::invalid_argument& error) {
+    io::refuse("--engine", error.what());
+  }
+}
+
 }  // namespace
 
 void require_consistent(const HopperReplayRequest& request) {
@@ -133,6 +143,7 @@ hopper::ReplayOptions replay_options(const HopperReplayRequest& request,
                                      const HopperCheckInputs& inputs) {
   hopper::ReplayOptions options;
   options.engine = &hopper::engine_named(request.engine);
+  require_held(*options.engine, inputs.robot.robot);
   options.controller = &hopper::controller_named(request.controller);
   options.limits = request.limits == "box" ? hopper::DriveLimits::kBox : hopper::DriveLimits::kMor;
   options.impact = impact_of(request);
@@ -268,10 +279,10 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   const auto randomised = read_trials(request, robot);
   check_replay_files(request);  // now that the files that others name are known
   require_page("--report", request.report_file);
+  hopper::ReplayOptions options = replay_options(request, inputs);
   const hopper::HopperReport check = hopper::check_motion(robot, motion, inputs.check);
   catch_interrupt();
   if (randomised) inputs.columns.push_back(randomised->document);
-  hopper::ReplayOptions options = replay_options(request, inputs);
   options.run.pushes = pushes;
   options.acts_late = randomised && randomised->randomisation.latency_s;
   const hopper::Replay replay(robot, motion, check, options);

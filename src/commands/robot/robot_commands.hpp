@@ -9,5 +9,6 @@ namespace torquewright::cli {
 void add_attach_command(command_line::Command& robot);
 void add_import_command(command_line::Command& robot);
 void add_export_command(command_line::Command& robot);
+void add_workspace_command(command_line::Command& robot);
 
 }  // namespace torquewright::cli

@@ -2,11 +2,13 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -26,6 +28,7 @@
 #include "robot/urdf/urdf_reader.hpp"
 #include "src/commands/robot/robot_commands.hpp"
 #include "src/commands/shared/result_json.hpp"
+#include "src/options/named_feet.hpp"
 #include "src/options/output_files.hpp"
 #include "src/standard_output.hpp"
 #include "src/window_text.hpp"
@@ -41,6 +44,7 @@ struct ImportOptions {
   std::optional<double> link_error;    ///< Empty: the reader's own.
   std::vector<std::string> actuators;  ///< NAME=FILE.
   std::string drive_folder;            ///< Of the documents that limits are made into.
+  std::vector<std::string> feet;       ///< NAME or NAME=SOLE.
 };
 
 /// URDF holds neither several robots, nor couplings, nor loops.
@@ -69,6 +73,7 @@ hopper::Imported read(const ImportOptions& options) {
                            : options.format == "urdf";
   is_urdf ? refuse_options_of_mjcf(options) : refuse_options_of_urdf(options);
   hopper::ImportFileOptions reading = options.reading;
+  reading.feet = named_feet(options.feet);
   reading.greatest_link_error = options.link_error.value_or(reading.greatest_link_error);
   hopper::Imported imported =
       is_urdf ? hopper::read_urdf(options.file, reading) : hopper::read_mjcf(options.file, reading);
@@ -99,9 +104,14 @@ void name_actuators(const ImportOptions& options, hopper::Robot& robot) {
   for (hopper::Drivetrain& drivetrain : robot.drivetrains) {
     for (const std::string& name : drivetrain.actuator_names) {
       const auto found = stated.find(name);
+      if (found == stated.end() && !options.drive_folder.empty()) {
+        drivetrain.actuator_files.emplace_back();  // of its limits
+        continue;
+      }
       if (found == stated.end()) {
         io::refuse("--actuator", fmt::format("the drive {} of a {} is not named; a linkage needs "
-                                             "its actuator: --actuator {}=FILE",
+                                             "its actuator: --actuator {}=FILE, or --actuators "
+                                             "FOLDER for one of the file's limits",
                                              name, drivetrain.mechanism->type(), name));
       }
       const auto file = std::filesystem::absolute(found->second);
@@ -114,11 +124,32 @@ void name_actuators(const ImportOptions& options, hopper::Robot& robot) {
              fmt::format("no linkage of the file has a drive \"{}\"", stated.begin()->first));
 }
 
-/// The robot's document. What a file says may still be no robot (inertias that no body has): such a
-/// document is refused. Files that it names are beside where it will be.
-std::string compute(const ImportOptions& options, hopper::Imported& imported) {
-  std::string text = io::json_text(hopper::robot_json(imported.robot));
-  const bool has_files = !imported.robot.drivetrains.empty();
+/// A folder of its own among the system's temporary ones, for files that a document names before
+/// they are written where they belong.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string made = (std::filesystem::temp_directory_path() / "torquewright_XXXXXX").string();
+    if (mkdtemp(made.data()) == nullptr) io::refuse(made, "cannot be made");
+    folder_ = made;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// What a file says may still be no robot (inertias that no body has): such a document is refused.
+/// Files that it names are beside where it will be.
+void check(const ImportOptions& options, const std::string& text, hopper::Imported& imported) {
+  const bool has_files = !imported.robot.drivetrains.empty() || !options.drive_folder.empty();
   try {
     const hopper::ReadRobot read = hopper::robot_of(io::check_document(
         as_read(text), "robot", has_files ? place_of(options).string() : options.file, ""));
@@ -128,29 +159,55 @@ std::string compute(const ImportOptions& options, hopper::Imported& imported) {
   } catch (const io::SpecError& error) {
     throw hopper::at_own_lines(error, imported);
   }
-  return text;
 }
 
-/// The drives that limits are made into join the document; their files come with it.
-std::vector<io::FileContent> add_drives(const ImportOptions& options, hopper::Imported& imported,
-                                        std::string& document) {
+hopper::LimitDrives made_drives(const ImportOptions& options, const hopper::Imported& imported) {
   if (options.drive_folder.empty()) return {};
-  const hopper::LimitDrives made = hopper::limit_drives(imported.robot);
-  if (made.assignments.empty()) {
+  hopper::LimitDrives made = hopper::limit_drives(imported.robot, imported.loop_drives);
+  if (!made.unlimited.empty()) {
+    const std::string& name = made.unlimited.front();
+    io::refuse("--actuators", fmt::format("the drive {} of a loop states no limit of torque, of "
+                                          "which one could be made: --actuator {}=FILE names its "
+                                          "actuator",
+                                          name, name));
+  }
+  if (made.drives.empty()) {
     io::refuse("--actuators",
                "no joint of the robot states a limit of torque, of which a drive could be made");
   }
-  const std::filesystem::path folder = std::filesystem::absolute(options.drive_folder);
-  const std::filesystem::path seen =
-      std::filesystem::proximate(folder, place_of(options).parent_path());
-  document = hopper::with_limit_drives(made, seen == "." ? "" : seen.generic_string(), document);
+  return made;
+}
+
+/// The robot's document; drives that limits are made into are in it.
+std::string compute(const ImportOptions& options, const hopper::LimitDrives& made,
+                    hopper::Imported& imported) {
+  const std::string robot = io::json_text(hopper::robot_json(imported.robot));
+  if (made.drives.empty()) {
+    check(options, robot, imported);
+    return robot;
+  }
+  const TemporaryFolder beside;
+  for (const auto& drive : made.drives) {
+    io::write_whole_file(beside.path() / drive.file, drive.document);
+  }
+  check(options, hopper::with_limit_drives(made, beside.path().string(), robot), imported);
+  const std::filesystem::path seen = std::filesystem::proximate(
+      std::filesystem::absolute(options.drive_folder), place_of(options).parent_path());
   imported.notes.insert(imported.notes.end(), made.notes.begin(), made.notes.end());
   imported.notes.push_back(fmt::format(
       "{} joints are driven by {} drives of their limits in {}: what the file says of torque and "
       "speed, no winding, no heat",
-      made.assignments.size(), made.drives.size(), io::name_in_text(options.drive_folder)));
+      made.assignments.size() + made.in_loops.size(), made.drives.size(),
+      io::name_in_text(options.drive_folder)));
+  return hopper::with_limit_drives(made, seen == "." ? "" : seen.generic_string(), robot);
+}
+
+std::vector<io::FileContent> files_of(const ImportOptions& options,
+                                      const hopper::LimitDrives& made) {
   std::vector<io::FileContent> files;
-  for (const auto& drive : made.drives) files.push_back({folder / drive.file, drive.document});
+  for (const auto& drive : made.drives) {
+    files.push_back({std::filesystem::absolute(options.drive_folder) / drive.file, drive.document});
+  }
   return files;
 }
 
@@ -174,9 +231,9 @@ void write(const ImportOptions& options, const hopper::Imported& imported,
 ExitCode run_import(const ImportOptions& options) {
   hopper::Imported imported = read(options);
   name_actuators(options, imported.robot);
-  std::string document = compute(options, imported);
-  std::vector<io::FileContent> drives = add_drives(options, imported, document);
-  write(options, imported, document, std::move(drives));
+  const hopper::LimitDrives made = made_drives(options, imported);
+  const std::string document = compute(options, made, imported);
+  write(options, imported, document, files_of(options, made));
   return ExitCode::kPasses;
 }
 
@@ -210,6 +267,13 @@ void add_import_command(command_line::Command& robot) {
       .add_option("--ignore", options->reading.ignored_words,
                   "WORD: leave elements and attributes of this name behind where they are refused")
       .otherwise("none")
+      .one_value_each();
+  command
+      .add_option("--feet", options->feet,
+                  "NAME: a link, geom or site that the robot stands on, in the place of those that "
+                  "names and shapes tell; * stands for any letters. NAME=X0:X1,Y0:Y1,Z: its sole, "
+                  "in its axes, in m")
+      .otherwise("what is called a foot, else what ends a leg")
       .one_value_each();
   command
       .add_option(

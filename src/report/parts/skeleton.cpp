@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/report/parts/skeleton.hpp"
 
-#include "dynamics/momentum.hpp"
 #include "dynamics/point.hpp"
+#include "robot/model/robot_centroid.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -54,16 +54,18 @@ Skeleton skeleton_of(const hopper::Robot& robot) {
 std::vector<Pose> poses_of(const hopper::Robot& robot, const Skeleton& skeleton,
                            const std::vector<double>& times_s, const Eigen::MatrixXd& positions) {
   dynamics::TreeState state(robot.tree);
+  hopper::RobotCentroid centroid(robot);
   const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(robot.tree.velocity_size());
   std::vector<Pose> poses;
   for (std::size_t i = 0; i < times_s.size(); ++i) {
-    state.set(positions.col(static_cast<Eigen::Index>(i)), at_rest);
+    const Eigen::VectorXd position = positions.col(static_cast<Eigen::Index>(i));
+    state.set(position, at_rest);
     Pose& pose = poses.emplace_back();
     pose.time_s = times_s[i];
     for (const dynamics::BodyPoint& point : skeleton.points) {
       pose.points.push_back(seen(dynamics::point_position_m(state, point)));
     }
-    pose.center_of_mass_m = seen(dynamics::centroid(state).position_m);
+    pose.center_of_mass_m = seen(centroid.at(position, at_rest).position_m);
   }
   return poses;
 }

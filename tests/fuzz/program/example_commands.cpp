@@ -98,6 +98,8 @@ robot import specs/robot/rabbit.urdf -o rabbit.json
 robot import tests/fuzz/corpus/hopper.xml --format mjcf --free-couplings --mend-inertias --drop-base-armature
 robot import tests/fuzz/corpus/looped.xml -o opened.json --open-loop knee_rod --actuator ankle_left=specs/actuator/d110a_ankle.json --actuator ankle_right=specs/actuator/d110a_ankle.json --massless-links
 robot import tests/fuzz/corpus/looped.xml -o looped.json --actuator knee=specs/actuator/d151_knee.json --actuator ankle_left=specs/actuator/d110a_ankle.json --actuator ankle_right=specs/actuator/d110a_ankle.json --massless-links --link-error 0.1
+robot import tests/fuzz/corpus/looped.xml -o looped.json --actuators drives --feet heel_left --feet toe_*=0:0.1,-0.02:0.02,0
+robot workspace specs/robot/hopper.json --joint ankle_roll --plot ankle.svg
 robot export specs/robot/hopper.json --format mjcf --actuators --ground --collisions --closed-loops -o hopper.xml
 robot attach specs/robot/planar_leg.json knee=specs/actuator/d151_knee.json -o leg.json
 robot export specs/robot/cassie.json --format urdf

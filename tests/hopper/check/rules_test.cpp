@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "hopper/check/rules/every_rule.hpp"
+#include "hopper/demand/battery_draw.hpp"
 #include "robot/mechanisms/constant_jacobian.hpp"
 #include "tests/actuator/example_actuator.hpp"
 #include "tests/hopper/check/made_motion.hpp"
@@ -66,6 +67,36 @@ void expect_finding(const Finding& finding, const char* rule, const char* joint,
   EXPECT_DOUBLE_EQ(*finding.time_s, time_s) << rule;
   EXPECT_DOUBLE_EQ(*finding.value, value) << rule;
   EXPECT_DOUBLE_EQ(*finding.limit, limit) << rule;
+}
+
+// Two drives that are known by curves, on a robot with a battery: 3 Nm at 2 rad/s and 5 N at
+// 0.4 m/s, of which the second brakes for half of the time: 8 W at most, 6 W x 40 ms + 2 W x 20 ms,
+// and half a step of 2 W on the way between.
+TEST(BatteryDraw, IsSaidToBeUnknownOfCurves) {
+  Scene scene = arm();
+  for (std::size_t body = 1; body <= 2; ++body) {
+    Drivetrain& drivetrain = scene.robot.drivetrains.emplace_back();
+    drivetrain.joints = {body};
+    drivetrain.actuators.emplace_back().envelope.emplace();
+    drivetrain.actuator_names = {body == 1 ? "hinge" : "slide"};
+  }
+  scene.demand.has_dynamics = true;
+  scene.demand.drives = {std::vector<DriveInstant>(5, {0, 2.0, 0, 3.0, 3.0, 0}),
+                         std::vector<DriveInstant>(5, {0, 0.4, 0, 5.0, 5.0, 0})};
+  scene.demand.drives[1][3].torque_Nm = scene.demand.drives[1][4].torque_Nm = -5.0;
+  EXPECT_TRUE(battery_draw(scene.checked()).empty());  // no battery, nothing to take from it
+  scene.robot.battery = "{}";
+  const std::vector<Finding> findings = battery_draw(scene.checked());
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_NE(
+      findings[0].sentence.find("what hinge, slide take from the robot's battery is not known"),
+      std::string::npos)
+      << findings[0].sentence;
+  EXPECT_NE(findings[0].sentence.find("0.29 J, 8 W at most"), std::string::npos)
+      << findings[0].sentence;
+  scene.robot.drivetrains[0].actuators[0].envelope.reset();
+  scene.robot.drivetrains[1].actuators[0].envelope.reset();
+  EXPECT_TRUE(battery_draw(scene.checked()).empty());
 }
 
 TEST(JointLimits, NameTheSampleFurthestBeyondEitherEnd) {
