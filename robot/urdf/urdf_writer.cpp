@@ -140,8 +140,8 @@ void note_unknown_limits(const Robot& robot, std::vector<std::string>& notes) {
       count, count == 1 ? "" : "s", text_of(kNoLimit)));
 }
 
-std::vector<std::string> notes_of(const Robot& robot) {
-  std::vector<std::string> notes;
+std::vector<std::string> notes_of(const Robot& robot, DrivesInJoints drives) {
+  std::vector<std::string> notes = std::move(drives.notes);
   const bool is_fixed = robot.tree.base == dynamics::BaseKind::kFixed;
   if (!is_fixed) {
     notes.emplace_back(robot.tree.base == dynamics::BaseKind::kPlanar
@@ -153,15 +153,15 @@ std::vector<std::string> notes_of(const Robot& robot) {
       "reflected inertia stands as drake:rotor_inertia with gear ratio 1; readers "
       "other than Drake ignore it");
   add_passive_notes(robot, false, notes);
-  add_common_notes(robot, {}, notes);
+  add_common_notes(robot, {.drives = !drives.are_there}, notes);
   return notes;
 }
 
 }  // namespace
 
-Exported urdf_of(const Robot& robot) {
+Exported urdf_of(const Robot& robot, DrivesInJoints drives) {
   Exported exported;
-  exported.notes = notes_of(robot);
+  exported.notes = notes_of(robot, std::move(drives));
   const dynamics::Tree tree = tree_with_rotors(robot, exported.notes);
   tinyxml2::XMLPrinter out;
   write_notes(out, exported.notes);

@@ -15,6 +15,13 @@ struct Exported {
   std::vector<std::string> notes;
 };
 
-Exported urdf_of(const Robot& robot);
+/// Drives that stand in the joints of what is written (simulators/drives_in_joints.hpp), and what
+/// was said of it.
+struct DrivesInJoints {
+  bool are_there = false;
+  std::vector<std::string> notes;
+};
+
+Exported urdf_of(const Robot& robot, DrivesInJoints drives = {});
 
 }  // namespace torquewright::hopper
