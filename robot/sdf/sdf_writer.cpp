@@ -85,6 +85,12 @@ bool is_world(const dynamics::Tree& tree) {
   return tree.base == dynamics::BaseKind::kFixed && tree.bodies.front().name == "world";
 }
 
+/// Where nobody states an effort, no joint is called passive.
+bool some_effort_is_known(const dynamics::Tree& tree) {
+  return std::any_of(tree.bodies.begin() + 1, tree.bodies.end(),
+                     [](const Body& body) { return std::isfinite(body.joint.limits.effort_max); });
+}
+
 class SdfText {
  public:
   SdfText(const Robot& robot, const dynamics::Tree& tree, SdfReader reader)
@@ -172,7 +178,7 @@ class SdfText {
     }
     if (std::isfinite(limits.effort_max)) {
       write_number(out, "effort", limits.effort_max);
-    } else if (reader_ == SdfReader::kDrake && some_effort_is_known()) {
+    } else if (reader_ == SdfReader::kDrake && some_effort_is_known(tree_)) {
       write_number(out, "effort", 0);
     }
     if (std::isfinite(limits.speed_max)) write_number(out, "velocity", limits.speed_max);
@@ -188,13 +194,6 @@ class SdfText {
     write_number(out, "spring_reference", passive.rest_position);
     write_number(out, "spring_stiffness", passive.stiffness);
     out.CloseElement();
-  }
-
-  /// Where nobody states an effort, no joint is called passive.
-  bool some_effort_is_known() const {
-    return std::any_of(tree_.bodies.begin() + 1, tree_.bodies.end(), [](const Body& body) {
-      return std::isfinite(body.joint.limits.effort_max);
-    });
   }
 
   const Robot& robot_;
@@ -272,7 +271,7 @@ void note_drake(const dynamics::Tree& tree, std::vector<std::string>& notes) {
   const auto passive = named_values(tree, [](const dynamics::Joint& joint) {
     return std::isfinite(joint.limits.effort_max) ? 0.0 : joint.reflected_inertia;
   });
-  if (!passive.empty()) {
+  if (!passive.empty() && some_effort_is_known(tree)) {
     notes.push_back(fmt::format(
         "Drake's armature is an actuator's: joints without one lack theirs, in kg m2, {}",
         fmt::join(passive, ", ")));
@@ -281,9 +280,9 @@ void note_drake(const dynamics::Tree& tree, std::vector<std::string>& notes) {
 
 }  // namespace
 
-Exported sdf_of(const Robot& robot, SdfReader reader, DrivesInJoints drives) {
+Exported sdf_of(const Robot& robot, SdfReader reader, const DrivesInJoints& drives) {
   Exported exported;
-  exported.notes = std::move(drives.notes);
+  exported.notes = drives.notes;
   const dynamics::Tree tree = tree_with_rotors(robot, exported.notes);
   note_planar_base(tree, exported.notes);
   note_names(tree, exported.notes);
@@ -296,7 +295,7 @@ Exported sdf_of(const Robot& robot, SdfReader reader, DrivesInJoints drives) {
   add_passive_notes(robot, true, exported.notes);
   add_common_notes(robot, {.drives = !drives.are_there}, exported.notes);
   tinyxml2::XMLPrinter out;
-  write_notes(out, exported.notes);
+  write_notes(out, joined(exported.notes, drives.of_actuators));
   SdfText(robot, tree, reader).run(out);
   exported.text = out.CStr();
   return exported;

@@ -13,6 +13,6 @@ enum class SdfReader {
 };
 
 /// Writes the robot as SDFormat 1.9: links, joints with limits, dampers, dry friction and springs.
-Exported sdf_of(const Robot& robot, SdfReader reader, DrivesInJoints drives = {});
+Exported sdf_of(const Robot& robot, SdfReader reader, const DrivesInJoints& drives = {});
 
 }  // namespace torquewright::hopper

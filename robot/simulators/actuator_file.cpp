@@ -13,7 +13,8 @@ Exported actuators_of(const Robot& robot, const actuator::Exporter& exporter,
   note_own_forces(robot, friction, drives.notes);
   std::vector<std::string> head = origin;
   head.push_back(fmt::format("{}: every drive, for {}.", robot.name, exporter.simulator));
-  const std::vector<std::string> own = head_of(drives);
+  head.insert(head.end(), drives.notes.begin(), drives.notes.end());
+  const std::vector<std::string> own = actuator_lines(drives);
   head.insert(head.end(), own.begin(), own.end());
   return {exporter.write_all(drives.entries, head), std::move(drives.notes)};
 }

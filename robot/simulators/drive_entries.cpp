@@ -352,8 +352,8 @@ void note_own_forces(const Robot& robot, FrictionPlace friction, std::vector<std
   }
 }
 
-std::vector<std::string> head_of(const DriveEntries& drives) {
-  std::vector<std::string> head = drives.notes;
+std::vector<std::string> actuator_lines(const DriveEntries& drives) {
+  std::vector<std::string> head;
   for (const ActuatorNote& actuator : drives.actuators) {
     head.push_back(fmt::format("-- {}", io::name_in_text(actuator.file)));
     head.insert(head.end(), actuator.lines.begin(), actuator.lines.end());

@@ -36,7 +36,7 @@ DriveEntries drive_entries(const Robot& robot, const actuator::Exporter& exporte
 void note_own_forces(const Robot& robot, actuator::FrictionPlace friction,
                      std::vector<std::string>& notes);
 
-/// The notes and what each actuator's file says, as lines for a file's head.
-std::vector<std::string> head_of(const DriveEntries& drives);
+/// What each actuator's file says, as lines for a file's head.
+std::vector<std::string> actuator_lines(const DriveEntries& drives);
 
 }  // namespace torquewright::hopper

@@ -31,7 +31,8 @@ Robot with_drives_in_joints(const Robot& robot, const actuator::Exporter& export
                             actuator::FrictionPlace friction, DrivesInJoints& drives) {
   DriveEntries found = drive_entries(robot, exporter, friction);
   drives.are_there = true;
-  for (std::string& line : head_of(found)) drives.notes.push_back(std::move(line));
+  drives.of_actuators = actuator_lines(found);
+  drives.notes.insert(drives.notes.end(), found.notes.begin(), found.notes.end());
   Robot driven = robot;
   driven.tree = std::move(found.tree);
   for (Drivetrain& drivetrain : driven.drivetrains) drivetrain.rotors_in_tree = true;

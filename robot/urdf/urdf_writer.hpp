@@ -20,8 +20,9 @@ struct Exported {
 struct DrivesInJoints {
   bool are_there = false;
   std::vector<std::string> notes;
+  std::vector<std::string> of_actuators;  ///< What each one's file says, for the head of this one.
 };
 
-Exported urdf_of(const Robot& robot, DrivesInJoints drives = {});
+Exported urdf_of(const Robot& robot, const DrivesInJoints& drives = {});
 
 }  // namespace torquewright::hopper

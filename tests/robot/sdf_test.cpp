@@ -196,6 +196,12 @@ TEST(Sdf, HasDrivesInItsJoints) {
   EXPECT_TRUE(says(sdf_of(drake, SdfReader::kDrake, of_drake), "knee 0.5"));
   EXPECT_TRUE(says(sdf_of(gazebo, SdfReader::kGazebo, drives), "no field for the armature"));
   EXPECT_FALSE(says(sdf_of(gazebo, SdfReader::kGazebo, drives), "mechanisms and their actuators"));
+  // What each actuator's law loses stands in the file, and is not printed for each.
+  const Exported written = sdf_of(gazebo, SdfReader::kGazebo, drives);
+  EXPECT_TRUE(says(written, "Worst torque error"));
+  for (const std::string& note : written.notes) {
+    EXPECT_EQ(note.find("Worst torque error"), std::string::npos);
+  }
 }
 
 // What no drive moves is no actuator of Drake's, if any effort is known; Gazebo reads no limit.
@@ -218,6 +224,10 @@ TEST(Sdf, CallsJointsWithoutDrivesPassiveInDrakeAlone) {
     EXPECT_TRUE(std::isinf(gazebo.axis(joint.name).Effort())) << joint.name;
   }
   EXPECT_GT(passive, 0U);
+  const Exported bare = sdf_of(robot_in("cassie.json"), SdfReader::kDrake);
+  EXPECT_TRUE(std::isinf(ReadSdf(bare.text).axis("toe_left").Effort()));
+  EXPECT_EQ(bare.text.find("lack theirs"), std::string::npos);
+  EXPECT_NE(sdf_of(driven, SdfReader::kDrake, drives).text.find("lack theirs"), std::string::npos);
 }
 
 }  // namespace

@@ -53,18 +53,18 @@ bool is_module(const ExportOptions& options) { return options.format == "playgro
 struct JointFormat {
   std::string_view name;
   const actuator::Exporter* law;
-  hopper::Exported (*write)(const hopper::Robot&, hopper::DrivesInJoints);
+  hopper::Exported (*write)(const hopper::Robot&, const hopper::DrivesInJoints&);
 };
 
 constexpr JointFormat kJointFormats[] = {
     {"urdf", &actuator::exporters::urdf, hopper::urdf_of},
     {"gazebo", &actuator::exporters::sdf,
-     [](const hopper::Robot& robot, hopper::DrivesInJoints drives) {
-       return hopper::sdf_of(robot, hopper::SdfReader::kGazebo, std::move(drives));
+     [](const hopper::Robot& robot, const hopper::DrivesInJoints& drives) {
+       return hopper::sdf_of(robot, hopper::SdfReader::kGazebo, drives);
      }},
     {"drake", &actuator::exporters::drake_sdf,
-     [](const hopper::Robot& robot, hopper::DrivesInJoints drives) {
-       return hopper::sdf_of(robot, hopper::SdfReader::kDrake, std::move(drives));
+     [](const hopper::Robot& robot, const hopper::DrivesInJoints& drives) {
+       return hopper::sdf_of(robot, hopper::SdfReader::kDrake, drives);
      }},
 };
 
@@ -158,7 +158,7 @@ hopper::Exported in_joints(const ExportOptions& options, const JointFormat& form
   hopper::DrivesInJoints drives;
   const hopper::Robot driven =
       hopper::with_drives_in_joints(read.robot, *format.law, options.parts.friction, drives);
-  return format.write(driven, std::move(drives));
+  return format.write(driven, drives);
 }
 
 hopper::Exported without_randomisation(const ExportOptions& options,
