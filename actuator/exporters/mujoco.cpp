@@ -11,23 +11,16 @@
 // refsafe, on by default).
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/fit.hpp"
 #include "actuator/exporters/line_law.hpp"
 #include "actuator/exporters/text.hpp"
+#include "actuator/motor/servo_gains.hpp"
 
 namespace torquewright::actuator::exporters {
 namespace {
 
 Shape shape(const Subject& subject) { return fitted(subject, mujoco, line_start(subject)); }
-
-// Gains of a servo that is told angles, where nobody tuned any: those of mjlab's robots,
-// src/mjlab/asset_zoo/robots/unitree_g1/g1_constants.py @ 0234b2e9, kp = I w^2 and kv = 2 z I w of
-// the drive's own inertia I, w = 2 pi 10 Hz and z = 2.
-constexpr double kServo_rad_s = 2.0 * std::numbers::pi * 10.0;
-constexpr double kServoDamping = 2.0;
 
 /// A <position> that may stand in the place of the <general>.
 std::string servo(const Subject& subject, double greatest_torque_Nm) {
@@ -37,14 +30,14 @@ std::string servo(const Subject& subject, double greatest_torque_Nm) {
            "rotor. "
            "-->\n";
   }
+  const ServoGains gains = servo_gains(inertia_kg_m2);
   return fmt::format(
       R"(    <!-- For angles, in the place of <general>; its force range knows no speed. kp = I w^2, kv = 2 z I w
       of the armature, w = 2 pi 10 Hz, z = 2 (mjlab, unitree_g1/g1_constants.py @ 0234b2e9):
     <position joint="joint" kp="{0}" kv="{1}" forcelimited="true" forcerange="{2} {3}"/>
       2.2.2 knows no kv: there it is added to the joint's damping. -->
 )",
-      inertia_kg_m2 * kServo_rad_s * kServo_rad_s,
-      2.0 * kServoDamping * inertia_kg_m2 * kServo_rad_s, -greatest_torque_Nm, greatest_torque_Nm);
+      gains.kp_Nm_rad, gains.kv_Nm_s_rad, -greatest_torque_Nm, greatest_torque_Nm);
 }
 
 std::string write(const Subject& subject, std::span<const double> shape,

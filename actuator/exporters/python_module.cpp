@@ -158,7 +158,7 @@ constexpr double kSmoothing = 5e-3;      // of the greatest speed
 constexpr double kFrictionError = 1e-7;  // of the peak torque
 
 /// What the region is told of friction and gear.
-std::string friction_text(const Subject& subject) {
+std::string friction_text(std::string_view region, const Subject& subject) {
   const double peak_Nm = subject.table.peak_torque_Nm;
   const Shape table = FrictionTable(subject, kFrictionError * peak_Nm).blocks();
   const std::size_t rows = table.size() / 3;
@@ -169,7 +169,7 @@ std::string friction_text(const Subject& subject) {
     return number_lines(values, "        ", false);
   };
   const double limit_Nm = subject.whole->transmission.peak_torque_Nm;
-  return fmt::format(R"(REGION.add_friction(
+  return fmt::format(R"({7}.add_friction(
     speed_rad_s=[
 {0}    ],
     forward_Nm=[
@@ -185,12 +185,12 @@ std::string friction_text(const Subject& subject) {
                      block(0), block(1), block(2), after_mesh_Nm(*subject.whole, 1.0, 1.0),
                      after_mesh_Nm(*subject.whole, 1.0, -1.0),
                      std::isfinite(limit_Nm) ? fmt::format("{}", limit_Nm) : "None",
-                     kSmoothing * subject.region.greatest_speed_rad_s());
+                     kSmoothing * subject.region.greatest_speed_rad_s(), region);
 }
 
 /// What step() carries along: losses of the winding, what they warm, and the supply. A curve has no
 /// winding.
-std::string supply_text(const Subject& subject) {
+std::string supply_text(std::string_view region, const Subject& subject) {
   const Actuator& drive = *subject.whole;
   if (drive.envelope) return "";
   const double at_K = winding_temperature_K(drive, subject.conditions);
@@ -215,7 +215,7 @@ std::string supply_text(const Subject& subject) {
         drive.thermal->winding_to_case_K_W, drive.thermal->case_to_ambient_K_W,
         drive.thermal->winding_J_K, drive.thermal->case_J_K, drive.thermal->ambient_K);
   }
-  return fmt::format(R"(REGION.add_supply(
+  return fmt::format(R"({}.add_supply(
     loss_W_Nm2={},
     per_K={},
     at_K={},
@@ -224,7 +224,8 @@ std::string supply_text(const Subject& subject) {
     thermal={},
 )
 )",
-                     winding_loss_W(drive, amplitude_A, at), per_K, at_K, subject.bus_voltage_V(),
+                     region, winding_loss_W(drive, amplitude_A, at), per_K, at_K,
+                     subject.bus_voltage_V(),
                      phase_model_at(drive, subject.conditions).supply.resistance_ohm, thermal);
 }
 
@@ -260,9 +261,10 @@ std::vector<std::string> arithmetic_lines(const ExportedConditions& conditions) 
   return lines;
 }
 
-/// REGION and the functions that the module has of it.
-std::string instance_text(const Subject& subject, std::span<const double> shape,
-                          const ExportedConditions& conditions, bool composes) {
+/// The region under a name of the module's.
+std::string instance_text(std::string_view name, const Subject& subject,
+                          std::span<const double> shape, const ExportedConditions& conditions,
+                          bool composes) {
   const std::optional<RegionGrid>& grid = conditions.grid;
   const std::size_t rows = shape.size() / 3;
   const TorqueLimits rest = table_law(shape, 0.0);
@@ -272,9 +274,9 @@ std::string instance_text(const Subject& subject, std::span<const double> shape,
     for (const std::size_t i : needed) values.push_back(shape[column * rows + i]);
     return number_lines(values, "            ", false);
   };
-  return fmt::format(R"(
-
-REGION = Region(
+  return fmt::format(
+      R"(
+{13} = Region(
     name="{0}",
     peak_torque_Nm={1},
     armature_kg_m2={2},
@@ -292,28 +294,39 @@ REGION = Region(
     grid={10},
     line={11},
 )
-{12}
-clip = REGION.clip
-limits = REGION.limits
-{13})",
-                     identifier(subject.actuator.name), greatest_torque_Nm(subject, grid),
-                     armature_text(subject.armature_kg_m2()), subject.bus_voltage_V(),
-                     winding_temperature_K(subject.actuator, subject.conditions), block(0),
-                     block(1), block(2), rest.least_Nm, rest.greatest_Nm, grid_text(grid),
-                     line_text(conditions.line),
-                     composes ? friction_text(subject) + supply_text(subject) : "",
-                     composes ? "torque = REGION.torque\n" : "");
+{12})",
+      identifier(subject.actuator.name), greatest_torque_Nm(subject, grid),
+      armature_text(subject.armature_kg_m2()), subject.bus_voltage_V(),
+      winding_temperature_K(subject.actuator, subject.conditions), block(0), block(1), block(2),
+      rest.least_Nm, rest.greatest_Nm, grid_text(grid), line_text(conditions.line),
+      composes ? friction_text(name, subject) + supply_text(name, subject) : "", name);
+}
+
+bool composes_friction(const Subject& subject, bool where_it_can) {
+  return where_it_can && subject.friction.has_value();
 }
 
 }  // namespace
 
+PythonRegion python_region(std::string_view name, const Subject& subject,
+                           std::span<const double> shape, bool composes) {
+  const ExportedConditions conditions = exported_conditions(subject);
+  PythonRegion region;
+  region.notes = grid_lines(conditions.grid);
+  const std::vector<std::string> arithmetic = arithmetic_lines(conditions);
+  region.notes.insert(region.notes.end(), arithmetic.begin(), arithmetic.end());
+  region.text =
+      instance_text(name, subject, shape, conditions, composes_friction(subject, composes));
+  return region;
+}
+
 std::string python_module(const Subject& subject, std::span<const double> shape,
                           const std::vector<std::string>& note, const PythonParts& parts) {
-  const ExportedConditions conditions = exported_conditions(subject);
-  const bool composes = parts.composes_friction && subject.friction.has_value();
-  return line_comment(note, "# ") + line_comment(grid_lines(conditions.grid), "# ") +
-         line_comment(arithmetic_lines(conditions), "# ") + python_source(composes) +
-         parts.methods + instance_text(subject, shape, conditions, composes) + parts.functions;
+  const bool composes = composes_friction(subject, parts.composes_friction);
+  const PythonRegion region = python_region("REGION", subject, shape, composes);
+  return line_comment(note, "# ") + line_comment(region.notes, "# ") + python_source(composes) +
+         parts.methods + "\n" + region.text + "\nclip = REGION.clip\nlimits = REGION.limits\n" +
+         (composes ? "torque = REGION.torque\n" : "") + parts.functions;
 }
 
 }  // namespace torquewright::actuator

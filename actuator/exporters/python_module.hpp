@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "actuator/exporters/exporter.hpp"
@@ -16,6 +17,17 @@ struct PythonParts {
   /// Friction at the joint is taken off by REGION.torque, else it is the simulator's joint's.
   bool composes_friction = false;
 };
+
+/// A region of a module that has the class Region (source_text/python_source.hpp), under a name.
+struct PythonRegion {
+  std::vector<std::string> notes;  ///< For the module's head.
+  std::string text;                ///< One blank line in front.
+};
+
+/// `composes`: with torque(), for a class with friction, where the subject's friction is the
+/// joint's.
+PythonRegion python_region(std::string_view name, const Subject& subject,
+                           std::span<const double> shape, bool composes);
 
 /// A module of Python for whichever array library hands in its arrays: the region as tables, over
 /// voltage and temperature where it has no gap, as REGION and its clip and limits; with composed

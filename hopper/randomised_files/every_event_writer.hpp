@@ -4,8 +4,9 @@
 #include "hopper/randomised_files/event_writer.hpp"
 
 // One line for each simulator; its file defines the constant of that name.
-#define TORQUEWRIGHT_EVERY_EVENT_WRITER(writer) \
-  writer(isaac_lab_events) writer(mjlab_events) writer(playground_events)
+#define TORQUEWRIGHT_EVERY_EVENT_WRITER(writer)                                                 \
+  writer(isaac_lab_events) writer(mjlab_events) writer(playground_events) writer(newton_events) \
+      writer(genesis_events)
 
 namespace torquewright::hopper::event_writers {
 

@@ -9,31 +9,6 @@
 namespace torquewright::hopper::event_writers {
 namespace {
 
-/// `[("thigh", 0.9, 1.1), ...]`, a row for each name.
-std::string rows(std::string_view name, const std::vector<PartsRange>& ranges) {
-  std::string text = fmt::format("{} = [\n", name);
-  for (const PartsRange& each : ranges) {
-    for (const std::string& part : each.names) {
-      text += fmt::format("    ({}, {}, {}),\n", actuator::python_string(part), each.range.least,
-                          each.range.greatest);
-    }
-  }
-  return text + "]\n";
-}
-
-std::string shift_rows(const std::vector<BodyShift>& shifts) {
-  std::string text = "CENTER_OF_MASS_M = [\n";
-  for (const BodyShift& each : shifts) {
-    text += fmt::format("    ({}, {}, {}, {}),\n", actuator::python_string(each.body), each.axis,
-                        each.range_m.least, each.range_m.greatest);
-  }
-  return text + "]\n";
-}
-
-std::string pair_or_none(std::string_view name, const std::optional<Range>& range) {
-  return fmt::format("{} = {}\n", name, range ? python_pair(*range) : "None");
-}
-
 constexpr std::string_view kFunction = R"(
 
 def domain_randomize(model, rng):
@@ -92,12 +67,14 @@ def domain_randomize(model, rng):
 EventText write(const DrawnParts& parts, const Robot&) {
   const Randomisation& stated = *parts.stated;
   EventText written;
-  written.text =
-      pair_or_none("TOTAL_MASS_FACTOR", stated.total_mass_factor) +
-      rows("MASS_FACTOR", parts.mass_factor) + rows("INERTIA_FACTOR", parts.inertia_factor) +
-      shift_rows(parts.center_of_mass_m) + rows("DRY_FRICTION_NM", parts.dry_friction_Nm) +
-      pair_or_none("GROUND_FRICTION", stated.friction_coefficient) +
-      pair_or_none("BUS_VOLTAGE_FACTOR", stated.bus_voltage_factor) + std::string(kFunction);
+  written.text = python_pair_or_none("TOTAL_MASS_FACTOR", stated.total_mass_factor) +
+                 python_rows("MASS_FACTOR", parts.mass_factor) +
+                 python_rows("INERTIA_FACTOR", parts.inertia_factor) +
+                 python_shift_rows(parts.center_of_mass_m) +
+                 python_rows("DRY_FRICTION_NM", parts.dry_friction_Nm) +
+                 python_pair_or_none("GROUND_FRICTION", stated.friction_coefficient) +
+                 python_pair_or_none("BUS_VOLTAGE_FACTOR", stated.bus_voltage_factor) +
+                 std::string(kFunction);
   if (!parts.gain_factor.empty()) {
     written.left_out.emplace_back(
         "controller_gain_factor: gains are the environment's, no field of the model");

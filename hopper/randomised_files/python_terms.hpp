@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +17,33 @@ namespace torquewright::hopper {
 /// "(0.9, 1.1)"
 inline std::string python_pair(const Range& range) {
   return fmt::format("({}, {})", range.least, range.greatest);
+}
+
+/// `[("thigh", 0.9, 1.1), ...]`, a row for each name.
+inline std::string python_rows(std::string_view name, const std::vector<PartsRange>& ranges) {
+  std::string text = fmt::format("{} = [\n", name);
+  for (const PartsRange& each : ranges) {
+    for (const std::string& part : each.names) {
+      text += fmt::format("    ({}, {}, {}),\n", actuator::python_string(part), each.range.least,
+                          each.range.greatest);
+    }
+  }
+  return text + "]\n";
+}
+
+/// `[("thigh", 0, -0.03, 0.03), ...]`, a row for each body and axis.
+inline std::string python_shift_rows(const std::vector<BodyShift>& shifts) {
+  std::string text = "CENTER_OF_MASS_M = [\n";
+  for (const BodyShift& each : shifts) {
+    text += fmt::format("    ({}, {}, {}, {}),\n", actuator::python_string(each.body), each.axis,
+                        each.range_m.least, each.range_m.greatest);
+  }
+  return text + "]\n";
+}
+
+/// `NAME = (0.9, 1.1)`, or None.
+inline std::string python_pair_or_none(std::string_view name, const std::optional<Range>& range) {
+  return fmt::format("{} = {}\n", name, range ? python_pair(*range) : "None");
 }
 
 /// The shifts of one body as a dictionary of Python: `{"x": (-0.01, 0.01), "z": (0, 0.01)}`.

@@ -110,8 +110,34 @@ void write_tendon(tinyxml2::XMLPrinter& out, const Robot& robot, const Drive& dr
   out.CloseElement();
 }
 
+/// <position kp kv> as MuJoCo makes it, and as 2.2.2 reads it, which knows no kv.
+void write_servo(tinyxml2::XMLPrinter& out, const Robot& robot, const Drive& drive) {
+  const bool couples = drive.joints.size() > 1;
+  const double ratio = couples ? 1.0 : std::abs(drive.ratios.front());
+  out.OpenElement("general");
+  push(out, "name", drive.name);
+  push(out, couples ? "tendon" : "joint",
+       couples ? drive.name : joint_name(robot, drive.joints.front()));
+  push(out, "gaintype", "fixed");
+  push(out, "gainprm", text_of(drive.gains->kp_Nm_rad));
+  push(out, "biastype", "affine");
+  push(out, "biasprm", fmt::format("0 {} {}", -drive.gains->kp_Nm_rad, -drive.gains->kv_Nm_s_rad));
+  if (!couples) {
+    const dynamics::JointLimits& limits = robot.tree.bodies[drive.joints.front()].joint.limits;
+    if (std::isfinite(limits.position_min) && std::isfinite(limits.position_max)) {
+      push(out, "ctrllimited", "true");
+      push(out, "ctrlrange", fmt::format("{} {}", limits.position_min, limits.position_max));
+    }
+  }
+  const double most_Nm = ratio * drive.greatest_torque_Nm;
+  push(out, "forcelimited", "true");
+  push(out, "forcerange", fmt::format("{} {}", -most_Nm, most_Nm));
+  out.CloseElement();
+}
+
 void write_general(tinyxml2::XMLPrinter& out, const Robot& robot, const Drive& drive) {
   const bool couples = drive.joints.size() > 1;
+  if (drive.gains) return write_servo(out, robot, drive);
   out.OpenElement(drive.is_curve ? "motor" : "general");
   push(out, "name", drive.name);
   push(out, couples ? "tendon" : "joint",
@@ -158,7 +184,7 @@ void note_left_out(const Drivetrain& drivetrain, std::size_t index,
 
 }  // namespace
 
-std::vector<Drive> drives_of(const Robot& robot, FrictionPlace friction,
+std::vector<Drive> drives_of(const Robot& robot, FrictionPlace friction, bool is_servo,
                              std::vector<std::string>& notes) {
   std::vector<Drive> drives;
   std::set<std::string> noted;
@@ -175,11 +201,12 @@ std::vector<Drive> drives_of(const Robot& robot, FrictionPlace friction,
       const std::string& file = drivetrain.actuator_files[k];
       const actuator::ExportedDrive exported = exported_drive(document, file, friction);
       read_region(exported, drive);
+      drive.inertia_kg_m2 = turned_at_output_kg_m2(drivetrain, k);
       if (friction == FrictionPlace::kJoint && noted.insert(file).second) {
         note_friction(exported, file, notes);
       }
       note_left_out(drivetrain, k, notes);
-      if (drive.is_curve) {
+      if (drive.is_curve && !is_servo) {
         notes.push_back(
             fmt::format("{}: its control is a torque in Nm, held to its peak; how its "
                         "curve falls with the speed is not held",
@@ -199,6 +226,32 @@ void add_friction(const std::vector<Drive>& drives, dynamics::Tree& tree) {
     passive.dry_friction += ratio * drive.friction.coulomb_Nm;
     passive.damping += ratio * ratio * drive.friction.viscous_Nm_s_rad;
   }
+}
+
+void make_servos(const Robot& robot, const dynamics::Tree& tree, std::vector<Drive>& drives,
+                 std::vector<std::string>& notes) {
+  for (Drive& drive : drives) {
+    const bool couples = drive.joints.size() > 1;
+    const double inertia_kg_m2 =
+        couples ? drive.inertia_kg_m2 : tree.bodies[drive.joints.front()].joint.reflected_inertia;
+    if (!(inertia_kg_m2 > 0.0)) {
+      throw io::SpecError(
+          {{robot.name, "/mechanisms",
+            fmt::format("{}: no gains, since neither a joint states a reflected inertia nor its "
+                        "actuator one of the rotor: state /motor/rotor_inertia_kg_m2 there",
+                        drive.name)}});
+    }
+    drive.gains = actuator::servo_gains(inertia_kg_m2);
+    if (couples) {
+      notes.push_back(fmt::format("{}: its control is its own angle, which is its tendon's length",
+                                  drive.name));
+    }
+  }
+  notes.push_back(fmt::format(
+      "controls are angles in rad: kp = I w^2, kv = 2 z I w of the armature, w = 2 pi {:.4g} Hz, z "
+      "= {:.4g} ({}); the force range knows no speed, so that at its no load speed a drive is off "
+      "by all of it",
+      actuator::kServo_Hz, actuator::kServoDamping, actuator::kServoSource));
 }
 
 void write_drives(tinyxml2::XMLPrinter& out, const Robot& robot, const std::vector<Drive>& drives) {

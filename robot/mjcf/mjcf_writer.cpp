@@ -41,8 +41,10 @@ void add_notes_of_parts(const Robot& robot, const MjcfParts& parts,
   }
   if (parts.actuators && !robot.drivetrains.empty()) {
     notes.emplace_back(
-        "controls of drives are voltages in V; each loads the battery alone, and heat "
-        "and what else no line between torque and speed holds");
+        parts.servos
+            ? "each drive loads the battery alone, and its heat is not held"
+            : "controls of drives are voltages in V; each loads the battery alone, and heat "
+              "and what else no line between torque and speed holds");
     notes.emplace_back(
         parts.friction == actuator::FrictionPlace::kJoint
             ? "friction of drives is that of the joint or the tendon that they turn, "
@@ -115,9 +117,11 @@ Exported mjcf_of(const Robot& robot, const MjcfParts& parts) {
     exported.notes.emplace_back(
         "of keyframes only the one that stands where the file's bodies do is held");
   }
-  const std::vector<Drive> drives = parts.actuators
-                                        ? drives_of(looped.robot, parts.friction, exported.notes)
-                                        : std::vector<Drive>();
+  std::vector<Drive> drives;
+  if (parts.actuators) {
+    drives = drives_of(looped.robot, parts.friction, parts.servos, exported.notes);
+  }
+  if (parts.servos) make_servos(robot, tree, drives, exported.notes);
   add_friction(drives, tree);
   tinyxml2::XMLPrinter out;
   write_notes(out, exported.notes);

@@ -9,6 +9,7 @@ namespace torquewright::hopper {
 /// What an MJCF file may hold beside bodies and joints.
 struct MjcfParts {
   bool actuators = false;     ///< Each drive's region, as `actuator mor --format mujoco` writes it.
+  bool servos = false;        ///< With `actuators`: drives are told angles, not voltages.
   bool ground = false;        ///< A plane, and keyframes of the postures that stand on it.
   bool closed_loops = false;  ///< Cranks and rods of linkages as bodies, in place of frozen rotors.
   bool collisions = false;    ///< Small balls at the contact points, and the collision spheres.

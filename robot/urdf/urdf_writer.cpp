@@ -140,8 +140,8 @@ void note_unknown_limits(const Robot& robot, std::vector<std::string>& notes) {
       count, count == 1 ? "" : "s", text_of(kNoLimit)));
 }
 
-std::vector<std::string> notes_of(const Robot& robot) {
-  std::vector<std::string> notes;
+std::vector<std::string> notes_of(const Robot& robot, const DrivesInJoints& drives) {
+  std::vector<std::string> notes = drives.notes;
   const bool is_fixed = robot.tree.base == dynamics::BaseKind::kFixed;
   if (!is_fixed) {
     notes.emplace_back(robot.tree.base == dynamics::BaseKind::kPlanar
@@ -153,18 +153,18 @@ std::vector<std::string> notes_of(const Robot& robot) {
       "reflected inertia stands as drake:rotor_inertia with gear ratio 1; readers "
       "other than Drake ignore it");
   add_passive_notes(robot, false, notes);
-  add_common_notes(robot, {}, notes);
+  add_common_notes(robot, {.drives = !drives.are_there}, notes);
   return notes;
 }
 
 }  // namespace
 
-Exported urdf_of(const Robot& robot) {
+Exported urdf_of(const Robot& robot, const DrivesInJoints& drives) {
   Exported exported;
-  exported.notes = notes_of(robot);
+  exported.notes = notes_of(robot, drives);
   const dynamics::Tree tree = tree_with_rotors(robot, exported.notes);
   tinyxml2::XMLPrinter out;
-  write_notes(out, exported.notes);
+  write_notes(out, joined(exported.notes, drives.of_actuators));
   out.OpenElement("robot");
   out.PushAttribute("name", robot.name.c_str());
   out.PushAttribute("xmlns:drake", "https://drake.mit.edu");

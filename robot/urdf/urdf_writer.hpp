@@ -15,6 +15,14 @@ struct Exported {
   std::vector<std::string> notes;
 };
 
-Exported urdf_of(const Robot& robot);
+/// Drives that stand in the joints of what is written (simulators/drives_in_joints.hpp), and what
+/// was said of it.
+struct DrivesInJoints {
+  bool are_there = false;
+  std::vector<std::string> notes;
+  std::vector<std::string> of_actuators;  ///< What each one's file says, for the head of this one.
+};
+
+Exported urdf_of(const Robot& robot, const DrivesInJoints& drives = {});
 
 }  // namespace torquewright::hopper

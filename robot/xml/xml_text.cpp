@@ -12,6 +12,12 @@ std::string text_of(const Eigen::Vector3d& vector) {
   return fmt::format("{} {} {}", vector[0], vector[1], vector[2]);
 }
 
+std::vector<std::string> joined(std::vector<std::string> notes,
+                                const std::vector<std::string>& more) {
+  notes.insert(notes.end(), more.begin(), more.end());
+  return notes;
+}
+
 void write_notes(tinyxml2::XMLPrinter& out, const std::vector<std::string>& notes) {
   std::string comment = "\n";
   for (const std::string& note : notes) {

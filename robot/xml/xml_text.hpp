@@ -22,6 +22,10 @@ inline constexpr double kNoLimit = 1e9;
 std::string text_of(double value);
 std::string text_of(const Eigen::Vector3d& vector);
 
+/// The one list, then the other.
+std::vector<std::string> joined(std::vector<std::string> notes,
+                                const std::vector<std::string>& more);
+
 /// Writes the notes as a comment at the file's head.
 void write_notes(tinyxml2::XMLPrinter& out, const std::vector<std::string>& notes);
 

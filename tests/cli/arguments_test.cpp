@@ -44,8 +44,8 @@ std::vector<BadArguments> bad_arguments() {
       {{"actuator", "mor", "a.json", "--side", "jont"},
        "command line: --side: \"jont\" is none of joint, motor; did you mean joint?"},
       {{"robot", "export", "a.json"},
-       "command line: --format is required: urdf, mjcf, playground, isaac-lab, "
-       "isaac-lab-remotized, mjlab, newton or isaac-lab-2.3"},
+       "command line: --format is required: mjcf, playground, urdf, gazebo, drake, genesis, "
+       "pybullet, isaac-gym, isaac-lab, isaac-lab-remotized, mjlab, newton or isaac-lab-2.3"},
       {{"gearbox", "optimize"}, "command line: problem is required"},
       {optimize({"other.json"}),
        "command line: The following argument was not expected: other.json; it is torquewright "

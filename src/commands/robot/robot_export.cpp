@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/library.hpp"
 #include "actuator/exporters/text.hpp"
 #include "hopper/randomised_files/event_file.hpp"
@@ -15,7 +16,10 @@
 #include "io/files/atomic_file.hpp"
 #include "robot/mjcf/mjcf_writer.hpp"
 #include "robot/model/robot_spec.hpp"
+#include "robot/sdf/sdf_writer.hpp"
 #include "robot/simulators/actuator_file.hpp"
+#include "robot/simulators/drives_in_joints.hpp"
+#include "robot/simulators/region_module_file.hpp"
 #include "robot/urdf/urdf_writer.hpp"
 #include "src/commands/robot/robot_commands.hpp"
 #include "src/commands/shared/origin_lines.hpp"
@@ -36,7 +40,7 @@ struct ExportOptions {
   hopper::MjcfParts parts;
 };
 
-/// Null for files of bodies and joints.
+/// Null for files of bodies and joints, and for modules of regions.
 const actuator::Exporter* actuators_only(const ExportOptions& options) {
   const actuator::Exporter* exporter = actuator::find_exporter(options.format);
   return exporter && exporter->write_all ? exporter : nullptr;
@@ -45,27 +49,62 @@ const actuator::Exporter* actuators_only(const ExportOptions& options) {
 /// A module of Python around an MJCF.
 bool is_module(const ExportOptions& options) { return options.format == "playground"; }
 
+/// A file of bodies and joints whose drives are limits and friction of its joints.
+struct JointFormat {
+  std::string_view name;
+  const actuator::Exporter* law;
+  hopper::Exported (*write)(const hopper::Robot&, const hopper::DrivesInJoints&);
+};
+
+constexpr JointFormat kJointFormats[] = {
+    {"urdf", &actuator::exporters::urdf, hopper::urdf_of},
+    {"gazebo", &actuator::exporters::sdf,
+     [](const hopper::Robot& robot, const hopper::DrivesInJoints& drives) {
+       return hopper::sdf_of(robot, hopper::SdfReader::kGazebo, drives);
+     }},
+    {"drake", &actuator::exporters::drake_sdf,
+     [](const hopper::Robot& robot, const hopper::DrivesInJoints& drives) {
+       return hopper::sdf_of(robot, hopper::SdfReader::kDrake, drives);
+     }},
+};
+
+const JointFormat* joint_format(const ExportOptions& options) {
+  for (const JointFormat& format : kJointFormats) {
+    if (format.name == options.format) return &format;
+  }
+  return nullptr;
+}
+
+bool holds_drives_alone(const ExportOptions& options) {
+  return actuators_only(options) || hopper::find_region_module(options.format);
+}
+
+void require_friction(const ExportOptions& options) {
+  const JointFormat* format = joint_format(options);
+  if (options.friction == "joint" && format &&
+      format->law->friction.dry == actuator::DryFriction::kNone) {
+    io::refuse("--friction", fmt::format("joint, but joints of {} have no dry friction: say limits",
+                                         options.format));
+  }
+}
+
 void require_parts(const ExportOptions& options) {
   const hopper::MjcfParts& parts = options.parts;
   if (!options.randomisation_file.empty() && !hopper::find_event_writer(options.format)) {
     io::refuse("--randomise", fmt::format("{} has no form for it: these have: {}", options.format,
                                           fmt::join(hopper::randomised_formats(), ", ")));
   }
-  const bool has_mjcf_parts = parts.ground || parts.collisions || parts.closed_loops;
-  if (actuators_only(options)) {
-    if (has_mjcf_parts) {
-      io::refuse("--format",
-                 "--ground, --collisions and --closed-loops are for mjcf and playground");
-    }
-    if (!parts.actuators) {
-      io::refuse("--format",
-                 fmt::format("{} holds drives and nothing else: say --actuators", options.format));
-    }
-  } else if (options.format == "urdf" && (parts.actuators || has_mjcf_parts)) {
-    io::refuse(
-        "--format",
-        "--actuators, --ground, --collisions and --closed-loops are for mjcf and playground");
+  const bool has_mjcf_parts =
+      parts.servos || parts.ground || parts.collisions || parts.closed_loops;
+  if (has_mjcf_parts && options.format != "mjcf" && !is_module(options)) {
+    io::refuse("--format",
+               "--servos, --ground, --collisions and --closed-loops are for mjcf and playground");
   }
+  if (holds_drives_alone(options) && !parts.actuators) {
+    io::refuse("--format",
+               fmt::format("{} holds drives and nothing else: say --actuators", options.format));
+  }
+  require_friction(options);
 }
 
 /// The robot, and what varies of it, with the documents of both.
@@ -81,8 +120,15 @@ ExportInputs read(const ExportOptions& options) {
   if (!options.randomisation_file.empty()) {
     inputs.randomisation = hopper::read_randomisation(options.randomisation_file);
     hopper::require_fits(inputs.randomisation->randomisation, robot.robot);
+    if (options.parts.servos && inputs.randomisation->randomisation.bus_voltage_factor) {
+      throw io::SpecError({{options.randomisation_file, "/bus_voltage_factor",
+                            "with --servos controls are angles, and no voltage is there to vary: "
+                            "leave the key or --servos out"}});
+    }
   }
-  if (actuators_only(options) && robot.robot.drivetrains.empty()) {
+  const bool writes_drives =
+      holds_drives_alone(options) || (joint_format(options) && options.parts.actuators);
+  if (writes_drives && robot.robot.drivetrains.empty()) {
     throw io::SpecError({{options.robot_file, "/mechanisms",
                           "missing: there are no drives; `torquewright robot attach ROBOT "
                           "'JOINT=ACTUATOR' -o ROBOT` names them"}});
@@ -106,13 +152,25 @@ hopper::Exported module_of(hopper::Exported mjcf, const std::vector<std::string>
   return mjcf;
 }
 
+hopper::Exported in_joints(const ExportOptions& options, const JointFormat& format,
+                           const hopper::ReadRobot& read) {
+  if (!options.parts.actuators) return format.write(read.robot, {});
+  hopper::DrivesInJoints drives;
+  const hopper::Robot driven =
+      hopper::with_drives_in_joints(read.robot, *format.law, options.parts.friction, drives);
+  return format.write(driven, drives);
+}
+
 hopper::Exported without_randomisation(const ExportOptions& options,
                                        const hopper::ReadRobot& read) {
   const std::vector<std::string> origin = origin_of("robot export", read.documents);
   if (const actuator::Exporter* exporter = actuators_only(options)) {
     return hopper::actuators_of(read.robot, *exporter, origin, options.parts.friction);
   }
-  if (options.format == "urdf") return hopper::urdf_of(read.robot);
+  if (const hopper::RegionModule* module = hopper::find_region_module(options.format)) {
+    return hopper::region_module_of(read.robot, *module, origin, options.parts.friction);
+  }
+  if (const JointFormat* format = joint_format(options)) return in_joints(options, *format, read);
   hopper::Exported mjcf = hopper::mjcf_of(read.robot, options.parts);
   return is_module(options) ? module_of(std::move(mjcf), origin) : mjcf;
 }
@@ -126,10 +184,11 @@ hopper::Exported compute(const ExportOptions& options, const ExportInputs& input
   return exported;
 }
 
-/// mjcf, urdf, a module around an MJCF, and every simulator that takes the drives of a robot in one
-/// file.
+/// Files of bodies and joints, and every simulator that takes the drives of a robot in one file.
 std::vector<std::string> export_formats() {
-  std::vector<std::string> names{"urdf", "mjcf", "playground"};
+  std::vector<std::string> names{"mjcf", "playground"};
+  for (const JointFormat& format : kJointFormats) names.emplace_back(format.name);
+  for (const std::string_view name : hopper::region_module_formats()) names.emplace_back(name);
   for (const actuator::Exporter* exporter : actuator::exporter_library()) {
     if (exporter->write_all) names.emplace_back(exporter->name);
   }
@@ -155,12 +214,14 @@ void add_export_command(command_line::Command& robot) {
   auto options = std::make_shared<ExportOptions>();
   command_line::Command command = robot.add_command(
       "export",
-      "Write a robot as URDF or MJCF (MuJoCo's XML), or all its drives as a simulator's file");
+      "Write a robot as URDF, SDF or MJCF (MuJoCo's XML), or its drives as a simulator's file");
   command.add_option("robot", options->robot_file, "Document of kind robot").required();
   command
       .add_option("--format", options->format,
-                  "What is written: urdf, mjcf, playground (a module of Python around an MJCF), or "
-                  "with --actuators isaac-lab, isaac-lab-2.3, isaac-lab-remotized, mjlab or newton")
+                  "What is written: urdf, mjcf, gazebo and drake (SDF), playground (a module of "
+                  "Python around an MJCF), or with --actuators genesis, pybullet and isaac-gym "
+                  "(modules that hold the drives to their regions), isaac-lab, isaac-lab-2.3, "
+                  "isaac-lab-remotized, mjlab or newton")
       .required()
       .one_of(export_formats());
   command.add_flag(
@@ -173,6 +234,11 @@ void add_export_command(command_line::Command& robot) {
                   "torque limits)")
       .otherwise("joint")
       .one_of({"joint", "limits"})
+      .needs("--actuators");
+  command
+      .add_flag("--servos", options->parts.servos,
+                "MJCF: drives are told angles (rad) in the place of voltages, as <position> with "
+                "kp, kv and force range of their own inertia and torque")
       .needs("--actuators");
   command
       .add_option("--randomise", options->randomisation_file,

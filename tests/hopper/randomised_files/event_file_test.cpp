@@ -44,15 +44,16 @@ const Randomisation& stated() {
 }
 
 /// What the stand-ins print of a module, a line each.
-std::vector<json> lines_of(const std::string& simulator, const std::string& text, double share) {
+std::vector<json> lines_of(const std::string& simulator, const std::string& text, double share,
+                           const std::string& more = "") {
   const test::ScratchFolder folder;
   const auto file = folder.path() / "module.py";
   std::ofstream(file) << text;
   int status = 0;
   const std::string printed = test::output_of(
-      fmt::format("{} {}/tests/hopper/randomised_files/event_stand_ins.py {} {} {} 2>&1",
+      fmt::format("{} {}/tests/hopper/randomised_files/event_stand_ins.py {} {} {} {} 2>&1",
                   TORQUEWRIGHT_ARRAY_PYTHON, TORQUEWRIGHT_SOURCE_DIR, simulator, file.string(),
-                  share),
+                  share, more),
       status);
   EXPECT_EQ(status, 0) << printed;
   std::vector<json> lines;
@@ -203,10 +204,64 @@ TEST(EventFile, PlaygroundsModelVariesByTheDocument) {
   EXPECT_NEAR(least.at("actuator_ctrlrange")[0][1].get<double>(), 0.93 * 48.0, 1e-12);
 }
 
+// By hand of bodies of 2 kg and joints of 0.1 Nm, at the greatest of each draw; the base has six
+// degrees of freedom in front of the joints'.
+TEST(EventFile, NewtonsBuilderVariesByTheDocument) {
+  if (!has_numpy()) GTEST_SKIP() << "python3-numpy is not installed";
+  std::string names;
+  std::vector<std::string> bodies;
+  for (const dynamics::Body& body : hopper().tree.bodies) {
+    bodies.push_back(body.name);
+    names += " " + body.name;
+  }
+  std::vector<std::string> notes;
+  const json drawn = lines_of("newton", events("newton", &notes), 1.0, names).at(0);
+  const auto thigh =
+      static_cast<std::size_t>(std::find(bodies.begin(), bodies.end(), "thigh") - bodies.begin());
+  ASSERT_LT(thigh, bodies.size());
+  EXPECT_NEAR(drawn.at("body_mass")[thigh].get<double>(), 2.0 * 1.15, 1e-12);
+  EXPECT_NEAR(drawn.at("body_inv_mass")[thigh].get<double>(), 0.5 / 1.15, 1e-12);
+  EXPECT_NEAR(drawn.at("body_inertia")[thigh][2][2].get<double>(), 3.0 * 1.15, 1e-12);
+  EXPECT_NEAR(drawn.at("body_inv_inertia")[thigh][1][1].get<double>(), 0.5 / 1.15, 1e-12);
+  EXPECT_NEAR(drawn.at("body_com")[thigh][1].get<double>(), 0.03, 1e-12);
+  EXPECT_NEAR(drawn.at("joint_friction")[6].get<double>(), 0.1 + 0.7, 1e-12);
+  EXPECT_NEAR(drawn.at("joint_friction")[7].get<double>(), 0.1 + ankle_share(0), 1e-8);
+  EXPECT_EQ(drawn.at("joint_friction")[0], 0.1);
+  EXPECT_EQ(drawn.at("shape_material_mu")[1], 0.9);
+  EXPECT_EQ(drawn.at("shape_material_restitution")[0], 0.2);
+  EXPECT_TRUE(holds(notes, "bus_voltage_factor"));
+}
+
+// Two environments, at the greatest of each draw; the entity has 0.5 of friction.
+TEST(EventFile, GenesisVariesByEnvironment) {
+  if (!has_numpy()) GTEST_SKIP() << "python3-numpy is not installed";
+  std::vector<std::string> notes;
+  const json drawn = lines_of("genesis", events("genesis", &notes), 1.0).at(0);
+  const std::vector<std::string> bodies = drawn.at("bodies");
+  const auto thigh =
+      static_cast<std::size_t>(std::find(bodies.begin(), bodies.end(), "thigh") - bodies.begin());
+  ASSERT_LT(thigh, bodies.size());
+  double total_kg = 0.0;
+  double shift_kg = 0.0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    total_kg += drawn.at("masses").at(bodies[i]).get<double>();
+    shift_kg += drawn.at("mass")[0][1][i].get<double>();
+  }
+  EXPECT_NEAR(shift_kg, 0.15 * total_kg, 1e-9);
+  EXPECT_EQ(drawn.at("mass")[2], json::parse("[3, 5]"));
+  ASSERT_EQ(drawn.at("com")[1].size(), 3u);
+  EXPECT_EQ(drawn.at("com")[1][0], thigh);
+  EXPECT_NEAR(drawn.at("com")[0][1][0][2].get<double>(), 0.03, 1e-12);
+  EXPECT_NEAR(drawn.at("frictionloss")[0][0][0].get<double>(), 0.1 + 0.7, 1e-12);
+  EXPECT_EQ(drawn.at("frictionloss")[1], json::parse("[6, 7, 8]"));
+  EXPECT_NEAR(drawn.at("friction")[0][1][0].get<double>(), 0.9 / 0.5, 1e-12);
+  EXPECT_TRUE(holds(notes, "body_inertia_factor"));
+}
+
 TEST(EventFile, IsNotForEveryFormat) {
   EXPECT_EQ(find_event_writer("urdf"), nullptr);
-  EXPECT_EQ(find_event_writer("newton"), nullptr);
-  EXPECT_EQ(randomised_formats().size(), 4u);
+  EXPECT_EQ(find_event_writer("mjcf"), nullptr);
+  EXPECT_EQ(randomised_formats().size(), 6u);
 }
 
 }  // namespace

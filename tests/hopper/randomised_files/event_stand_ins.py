@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs an exported module with stand-ins of what it calls, and prints what it found as JSON.
 
-    event_stand_ins.py isaac-lab|mjlab|playground MODULE SHARE
+    event_stand_ins.py isaac-lab|mjlab|playground|newton|genesis MODULE SHARE
 
 SHARE is what every draw gives of its range's width: 0 the least, 1 the greatest."""
 import json
@@ -158,6 +158,70 @@ def print_friction(space, share):
     print(json.dumps({name: numpy.array(value).tolist() for name, value in written.items()}))
 
 
+class Vec3(list):
+    """As warp's: made of three numbers."""
+
+    def __init__(self, x, y, z):
+        super().__init__((x, y, z))
+
+
+def print_newton(space, share):
+    """Bodies of 2 kg, joints behind a floating base of six degrees of freedom."""
+    names = sys.argv[4:]
+    bodies = {name: i for i, name in enumerate(names)}
+    joints = {name: i + 1 for i, name in enumerate(("knee", "ankle_pitch", "ankle_roll"))}
+    count = len(names)
+    builder = types.SimpleNamespace(
+        body_mass=[2.0] * count, body_inv_mass=[0.5] * count,
+        body_inertia=[numpy.diag([1.0, 2.0, 3.0])] * count,
+        body_inv_inertia=[numpy.diag([1.0, 0.5, 1.0 / 3.0])] * count,
+        body_com=[Vec3(0.0, 0.0, 0.0)] * count,
+        joint_qd_start=[0, 6, 7, 8], joint_friction=[0.1] * 9,
+        shape_material_mu=[1.0] * 2, shape_material_restitution=[0.5] * 2)
+    random = types.SimpleNamespace(uniform=lambda low, high: low + share * (high - low))
+    space["randomise"](builder, bodies, joints, random)
+    print(json.dumps({name: numpy.array(value).tolist()
+                      for name, value in vars(builder).items()}))
+
+
+class GenesisEntity:
+    def __init__(self, bodies):
+        self.bodies, self.calls = bodies, {}
+
+    def get_link(self, name=None, uid=None):
+        return types.SimpleNamespace(idx_local=self.bodies.index(name))
+
+    def get_joint(self, name=None, uid=None):
+        return types.SimpleNamespace(dofs_idx_local=[6 + list(JOINTS).index(name)])
+
+    def _note(self, name, values, places, envs):
+        self.calls[name] = [values.tolist(), places, envs]
+
+    def set_mass_shift(self, mass_shift, links_idx_local=None, envs_idx=None):
+        self._note("mass", mass_shift, links_idx_local, envs_idx)
+
+    def set_COM_shift(self, com_shift, links_idx_local=None, envs_idx=None):
+        self._note("com", com_shift, links_idx_local, envs_idx)
+
+    def set_friction_ratio(self, friction_ratio, links_idx_local=None, envs_idx=None):
+        self._note("friction", friction_ratio, links_idx_local, envs_idx)
+
+    def set_dofs_frictionloss(self, frictionloss, dofs_idx_local=None, envs_idx=None):
+        self._note("frictionloss", frictionloss, dofs_idx_local, envs_idx)
+
+
+JOINTS = {"knee": {"dry_Nm": 0.1}, "ankle_pitch": {"dry_Nm": 0.2}, "ankle_roll": {"dry_Nm": 0.3}}
+
+
+def print_genesis(space, share):
+    """Two environments; JOINTS and dofs_of are the module's, in front of this."""
+    module("torch", rand=lambda count: numpy.full(count, share), ones=numpy.ones,
+           zeros=numpy.zeros, stack=lambda arrays, axis: numpy.stack(arrays, axis))
+    entity = GenesisEntity(list(space["MASS_KG"]))
+    space["randomise"](entity, [3, 5], friction=0.5)
+    print(json.dumps({"bodies": entity.bodies, "masses": space["MASS_KG"], **entity.calls}))
+
+
 def main():
     simulator, file, share = sys.argv[1], sys.argv[2], float(sys.argv[3])
     for name in ("isaaclab", "isaaclab.actuators", "mjlab", "mjlab.actuator", "mjlab.managers"):
@@ -168,11 +232,13 @@ def main():
     module("mjlab.envs.mdp", dr=Named("dr"))
     module("mjlab.managers.event_manager", EventTermCfg=term)
     module("mjlab.managers.scene_entity_config", SceneEntityCfg=scene_entity)
-    space = {}
+    space = {"JOINTS": JOINTS, "dofs_of": lambda entity, names: [
+        entity.get_joint(name).dofs_idx_local[0] for name in names]}
     with open(file, encoding="utf-8") as text:
         exec(text.read(), space)
-    if simulator == "playground":
-        print_drawn(space, share)
+    special = {"playground": print_drawn, "newton": print_newton, "genesis": print_genesis}
+    if simulator in special:
+        special[simulator](space, share)
     else:
         print_events(space)
     if "add_dry_friction" in space:
