@@ -12,6 +12,8 @@ namespace {
 
 using std::numbers::pi;
 
+constexpr double kDutyStep = 1e-4;
+
 /// The winding's current behind the sensor's filter, at every step.
 std::vector<double> filtered(const std::vector<State>& states, std::size_t joint, double cut_Hz) {
   const double part = 1.0 - std::exp(-2.0 * pi * cut_Hz * kStep_s);
@@ -63,7 +65,7 @@ Record sensed(const Rig& rig, const Sensing& sensing, const std::vector<State>& 
                          sensing.current_noise_A * draws.normal();
       const double volts = winding_V(rig.drives[j], states[k], j);
       const double bus = bus_under_load_V(rig.drives[j], volts, states[k].current_A[j]);
-      sample.duty = volts / bus + sensing.voltage_noise_V / rig.drives[j].bus_V * draws.normal();
+      sample.duty = std::round(volts / bus / kDutyStep) * kDutyStep;  // set, not measured
       sample.bus_V = bus + sensing.voltage_noise_V * draws.normal();
       row.joints.push_back(sample);
     }

@@ -15,7 +15,7 @@ struct Sensing {
   double counts_per_turn = 65536.0;  ///< Of the encoder at the output.
   double current_filter_Hz = 500.0;  ///< Of first order.
   double current_noise_A = 0.01, current_delay_s = 0.0, current_offset_A = 0.0;
-  double voltage_noise_V = 0.01;
+  double voltage_noise_V = 0.01;         ///< Of the bus; a duty is set.
   bool logs_velocity = true;             ///< Differences of the logged position, half a row late.
   bool logs_voltage = false;             ///< Duty and the bus' voltage in the place of the current.
   std::vector<std::string> joint_names;  ///< Empty where there is one joint.
