@@ -29,9 +29,12 @@ Names alike(StandsFor what, const Names& others = {}) {
 
 /// What the rig's own values and its torque sensor's response may stand for, whether it calls them
 /// uncertain or not: no log says who is right. Gains of sensors are what all is measured by: they
-/// are trusted (docs/decisions/0025).
+/// are trusted (docs/decisions/0025), but for one that differs by sign, which one of two sensors
+/// has.
 std::vector<Names> groups_of_the_rig(const Bench& bench) {
-  if (bench.load_side == LoadSide::kSensor) return {alike(StandsFor::kSensorLag, {"channel_lag"})};
+  if (bench.load_side == LoadSide::kSensor)
+    return {alike(StandsFor::kSensorLag, {"channel_lag"}),
+            {"current_gain_error", "torque_gain_error"}};
   if (bench.load_side != LoadSide::kModel) return {};
   switch (bench.rig->load.type) {
     case LoadType::kFree:
@@ -70,6 +73,9 @@ Excitation excitation_of(const Bench& bench, const std::string& effect, const Na
     return {2,
             "the torque sensor's own response, measured with the drive held still, or a load of "
             "known inertia"};
+  }
+  if (effect == "torque_gain_error") {
+    return {1, "known weights on the torque sensor, one after another on either side"};
   }
   if (effect == "channel_delay") return actuator::effects::kFastMotion;
   if (effect == "load_length_error") {

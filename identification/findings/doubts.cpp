@@ -17,9 +17,8 @@ using actuator::StandsFor;
 constexpr double kErrorsOfScale = 3.0;
 constexpr double kAsPromised = 1.05;   ///< The rig's own uncertain values are as stated.
 constexpr double kOfNoiseFloor = 0.2;  ///< What that may change besides.
-constexpr char kSpeed[] = "output_velocity_rad_s";
-constexpr double kMost = 0.5;    ///< Of the squares that are left.
-constexpr double kNoise = 1.58;  ///< Floors, up to which a simulation's error is noise.
+constexpr double kMost = 0.5;          ///< Of the squares that are left.
+constexpr double kNoise = 1.58;        ///< Floors, up to which a simulation's error is noise.
 
 /// Whether a number in it is a torque, or an inertia: what scales with the torque constant.
 bool holds_a_torque(const FoundParameters& parameters) {
@@ -46,9 +45,18 @@ double error_of(const NamedEffect& effect, const char* parameter) {
   return std::isnan(error) ? 0.0 : error;
 }
 
-bool is_law_of_speed(const NamedEffect& named) {
+/// Along which a law that is another one would leave its error; empty: it has none of its own.
+std::string_view own_coordinate(const NamedEffect& named) {
   const actuator::EffectKind* kind = actuator::find_effect(named.effect);
-  return kind != nullptr && kind->acts == actuator::Acts::kDrag && !kind->has_harmonics;
+  if (kind == nullptr || kind->has_harmonics) return "";
+  switch (kind->acts) {
+    case actuator::Acts::kDrag:
+      return "output_velocity_rad_s";
+    case actuator::Acts::kLoadFriction:
+      return "load_torque_Nm";
+    default:
+      return "";
+  }
 }
 
 NamedEffect* sure_one(StandsFor what, EquationResult& result) {
@@ -92,20 +100,18 @@ void append_doubts(EquationResult& result) {
   }
 }
 
-void doubt_laws_of_drag(double noise_floors, EquationResult& result) {
+void doubt_what_goes_along(double noise_floors, EquationResult& result) {
   const double floor = result.noise_floor_rms;
   if (!(floor > 0.0 && result.after.train_rms > noise_floors * floor)) return;
   for (const ResidualStructure& left : result.structure_after) {
-    const bool is_of_speed = left.coordinate == kSpeed && is_significant(left);
-    if (!is_of_speed || left.share <= kMost) continue;
+    if (!is_significant(left) || left.share <= kMost) continue;
     for (NamedEffect& each : result.added) {
-      if (!is_law_of_speed(each) || !each.doubt.empty()) continue;
+      if (own_coordinate(each) != left.coordinate || !each.doubt.empty()) continue;
       each.doubt = fmt::format(
           "of the {:.2g} noise floors that are left beside it {:.0f} % of the square still goes "
-          "with the speed: the drag is another law of it",
-          result.after.train_rms / floor, 100.0 * left.share);
+          "along {}: it is another law of it",
+          result.after.train_rms / floor, 100.0 * left.share, left.coordinate);
     }
-    return;
   }
 }
 

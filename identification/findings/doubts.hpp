@@ -25,9 +25,9 @@ std::string doubt_beside(const Left& left, double squares, double most_floors);
 /// the torque constant beside it (docs/derivations/identification.md section 7).
 void append_doubts(EquationResult& result);
 
-/// Doubts laws of drag where more than `noise_floors` are left and most of that still goes with the
-/// speed: the drag then follows another law.
-void doubt_laws_of_drag(double noise_floors, EquationResult& result);
+/// Doubts laws of speed or load where more than `noise_floors` are left and most of that
+/// still goes along the law's own coordinate: it is then another law of it.
+void doubt_what_goes_along(double noise_floors, EquationResult& result);
 
 /// Leaves nothing certain where the held-out runs leave more than `times` what the fitted ones do,
 /// and noise does: there the laws are others.

@@ -43,6 +43,26 @@ class Largest {
   std::vector<double> values_;
 };
 
+/// What angles of stretches cover together, without what lies between those that are apart.
+class Covered {
+ public:
+  void take(double low, double high) {
+    if (high > low) spans_.emplace_back(low, high);
+  }
+  double length() {
+    std::sort(spans_.begin(), spans_.end());
+    double sum = 0.0, until = -INFINITY;
+    for (const auto& [low, high] : spans_) {
+      sum += std::max(0.0, high - std::max(low, until));
+      until = std::max(until, high);
+    }
+    return std::max(1e-6, sum);
+  }
+
+ private:
+  std::vector<std::pair<double, double>> spans_;
+};
+
 double highest_of(const actuator::Parameter& parameter, double size) {
   const std::string_view name = parameter.name;
   if (ends_with(name, "_1_K")) return parameter.highest;
@@ -142,8 +162,8 @@ std::vector<std::string> nameable_effects() {
 
 actuator::Ranges ranges_of(const Bench& bench, const std::vector<Signals>& signals) {
   Largest torque, speed, acceleration, current;
+  Covered angles, motor_angles;
   Ranges ranges;
-  ranges.angle_rad = ranges.motor_angle_rad = 1e-6;
   for (const Signals& stretch : signals) {
     double low = INFINITY, high = -INFINITY, motor_low = INFINITY, motor_high = -INFINITY;
     for (std::size_t i = 0; i < stretch.size(); ++i) {
@@ -160,9 +180,11 @@ actuator::Ranges ranges_of(const Bench& bench, const std::vector<Signals>& signa
       ranges.warmth_K = std::max(ranges.warmth_K,
                                  std::abs(at.winding_temperature_K - at.reference_temperature_K));
     }
-    ranges.angle_rad = std::max(ranges.angle_rad, high - low);
-    ranges.motor_angle_rad = std::max(ranges.motor_angle_rad, motor_high - motor_low);
+    angles.take(low, high);
+    motor_angles.take(motor_low, motor_high);
   }
+  ranges.angle_rad = angles.length();
+  ranges.motor_angle_rad = motor_angles.length();
   ranges.torque_Nm = torque.greatest();
   ranges.speed_rad_s = speed.nearly_all();
   ranges.acceleration_rad_s2 = acceleration.nearly_all();

@@ -20,6 +20,7 @@
 #include "identification/selection/line_traces.hpp"
 #include "identification/selection/models_within_noise.hpp"
 #include "identification/selection/named.hpp"
+#include "identification/selection/one_level.hpp"
 #include "identification/selection/position_curve.hpp"
 #include "identification/selection/run_results.hpp"
 #include "identification/selection/same_rig.hpp"
@@ -73,6 +74,16 @@ std::string undetermined_words(const std::vector<std::string>& parameters) {
   return fmt::format(
       " Of {} the log says nothing: less than its own error; a refined document has 0.",
       io::listed(parameters));
+}
+
+/// Of a law whose own constant is an offset: the sum of both is all that any log holds.
+std::string constant_words(const std::string& effect) {
+  const actuator::EffectKind* kind = actuator::find_effect(effect);
+  if (kind == nullptr || kind->acts != actuator::Acts::kOutputTorque) return "";
+  const auto& ends = kind->tends_to;
+  if (std::find(ends.begin(), ends.end(), "torque_offset") == ends.end()) return "";
+  return " What of its constant torque is an offset of a sensor, or friction that differs by "
+         "direction, no log tells: the neutral angle is that of all three together.";
 }
 
 /// Stated effects that a member takes the place of, and the one of its own kind.
@@ -133,7 +144,8 @@ void name_members(const ModelFitter& fitter, const Found& found, const SearchRul
     named.holdout_rms_after = after.holdout_rms;
     named.replaces = stated_parts_of(*found.best.members[m], fitter.equation().stated.actuator);
     named.evidence = evidence_for(found.gains[m], found.gains[m].gain / before) +
-                     undetermined_words(undetermined_parameters(named));
+                     undetermined_words(undetermined_parameters(named)) +
+                     constant_words(named.effect);
     named.doubt = doubt_beside(held_out, found.gains[m].held_out_gain, rules.unexplained_floors);
     if (named.doubt.empty())
       named.doubt = doubt_beside(seen, found.gains[m].gain, rules.unexplained_floors);
@@ -203,7 +215,7 @@ bool says_the_same(const EffectCandidate& rival, const std::vector<std::string>&
 
 /// Exact groups, and what stands in the place of a member in rivals that do without it.
 void append_groups(const Bench& bench, const ForwardEquation& equation, const Found& found,
-                   EquationResult& result) {
+                   const std::vector<Whole>& wholes, EquationResult& result) {
   for (const NamedEffect& named : result.added) {
     const std::vector<std::string> exact = same_on_such_a_rig(bench, equation, found, named);
     append_group(bench, named.effect, exact, true, result);
@@ -216,6 +228,12 @@ void append_groups(const Bench& bench, const ForwardEquation& equation, const Fo
           others.push_back(each->effect);
         }
       }
+    }
+    for (const Whole& whole : wholes) {
+      const bool is_known =
+          std::find(others.begin(), others.end(), whole.law->effect) != others.end();
+      if (whole.part == named.effect && !is_known && !says_the_same(*whole.law, exact))
+        others.push_back(whole.law->effect);
     }
     append_group(bench, named.effect, others, false, result);
   }
@@ -350,9 +368,10 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
       kept.members.empty() ? result.structure_before : structure_left(rows, kept.residual);
   result.is_noise_after = leaves_noise(search, fitter, kept, result.structure_after);
   name_members(fitter, found, rules, result);
-  append_groups(bench, equation, found, result);
+  append_groups(bench, equation, found, search.wholes(kept), result);
   append_doubts(result);
-  doubt_laws_of_drag(rules.unexplained_floors, result);
+  doubt_what_goes_along(rules.unexplained_floors, result);
+  doubt_one_level(rows, result);
   doubt_what_fails_held_out(rules.unexplained_floors, result);
   if (!result.is_noise_after) doubt_laws_of_position(fitter, kept, result);
   if (equation.is_torque_balance) doubt_waves_hardly_seen(fitter, kept, result);

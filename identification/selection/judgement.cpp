@@ -92,6 +92,8 @@ bool leaves_noise(const Search& search, const ModelFitter& fitter, const ModelFi
   const double left = std::max(rms_over(fitter.rows(), fit.residual, false),
                                rms_over(fitter.rows(), fit.residual, true));
   if (left <= kExplainedFloors * floor) return true;
+  // What is too small for any name is nothing to explain.
+  if (std::hypot(floor, search.rules().least_change) >= left) return true;
   if (left > search.rules().unexplained_floors * floor) return false;
   return std::none_of(structure.begin(), structure.end(),
                       [](const ResidualStructure& each) { return is_significant(each); });

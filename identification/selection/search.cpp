@@ -198,8 +198,12 @@ bool Search::earns(const ModelFit& less, const ModelFit& more) const {
   const Comparison gain = compare(fitter_.rows(), less, more);
   const auto& empty = fits_.at({});
   const double largest = compare(fitter_.rows(), empty, more).change_rms;
-  const double least = std::max({rules_.least_floors * floor_rms(more), rules_.least_change,
-                                 rules_.least_of_largest * largest});
+  // How small a name may be is not asked of another law in the place of one: which of the two it
+  // is decides whether the name is right.
+  const bool is_another_law = !less.members.empty() && more.members.size() <= less.members.size();
+  const double least =
+      std::max({rules_.least_floors * floor_rms(more), rules_.least_of_largest * largest,
+                is_another_law ? 0.0 : rules_.least_change});
   const double left = std::max(0.0, less.unseen_loss) + less.noise_loss;
   const double floors2 = rules_.unexplained_floors * rules_.unexplained_floors;
   const bool is_model_error = more.unseen_loss + more.noise_loss > floors2 * more.noise_loss;
@@ -307,6 +311,32 @@ const ModelFit* Search::generalised(const ModelFit& model) {
     }
   }
   return best;
+}
+
+std::vector<Whole> Search::wholes(const ModelFit& model) {
+  std::vector<Whole> tried;
+  for (std::size_t m = 0; m < model.members.size(); ++m) {
+    const EffectCandidate& part = *model.members[m];
+    EffectSet laws;
+    for (const EffectCandidate* each : candidates_) {
+      if (!is_wave(*each) && holds_as_part(*each, part)) laws.push_back(each);
+    }
+    if (laws.empty()) continue;
+    const ModelFit& less = without(model, m);
+    for (const Prospect& prospect : screen(fitter_, less, laws, 0.0, false).singles) {
+      const ModelFit& whole = with(less, prospect);
+      if (!whole.is_valid) continue;
+      tried.push_back({part.effect, prospect.added.front(), compare(fitter_.rows(), model, whole)});
+    }
+  }
+  const double t = threshold_t(rules_.chance, tried.size(), fitter_.rows().training_blocks());
+  // Of what no model explains the larger law takes some whatever it is.
+  const double floors2 = rules_.explained_floors * rules_.explained_floors;
+  const double left = unseen_squares(model);
+  const double least = left > floors2 * model.noise_loss ? rules_.least_share * left : 0.0;
+  std::erase_if(tried,
+                [&](const Whole& each) { return each.gain.t <= t || each.gain.gain <= least; });
+  return tried;
 }
 
 /// A model in which a member is replaced by what it contains, or by it and an offset, where it does

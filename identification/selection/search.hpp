@@ -54,6 +54,13 @@ struct Refusal {
   Comparison gain;  ///< Gain over the model that was kept.
 };
 
+/// A law that contains a member of a model, and leaves less in its place beyond chance.
+struct Whole {
+  std::string part;  ///< The member's effect.
+  const EffectCandidate* law = nullptr;
+  Comparison gain;  ///< Over the model with the part.
+};
+
 /// Result of a search over sets of effects.
 struct Found {
   ModelFit empty, best;
@@ -82,6 +89,8 @@ class Search {
   /// Whether `more` earns its place over `less`.
   bool earns(const ModelFit& less, const ModelFit& more) const;
   bool is_refuted(const ModelFit& rival, const ModelFit& best) const;
+  /// Laws that contain members of the model and leave less, by less than what would name them.
+  std::vector<Whole> wholes(const ModelFit& model);
   /// The t that noise alone does not reach by any of all that is tried.
   double chance_t() const;
   const SearchRules& rules() const { return rules_; }

@@ -98,6 +98,16 @@ TEST(IdentifyEffects, NamesAParallelSpring) {
                truth);
 }
 
+// k q0 is one constant: a part of it may be an offset, or friction that differs by direction.
+TEST(IdentifyEffects, SaysThatASpringsNeutralAngleHoldsOffsets) {
+  const json effects = added(json::array(
+      {with_effect("parallel_spring", {{"stiffness_Nm_rad", 0.8}, {"neutral_angle_rad", 0.4}})}));
+  ASSERT_EQ(effects.size(), 1u);
+  EXPECT_NE(effects[0]["evidence"].get<std::string>().find("offset of a sensor"),
+            std::string::npos);
+  EXPECT_EQ(effects[0]["certain"], true);
+}
+
 TEST(IdentifyEffects, NamesAnEndStop) {
   const json truth = {{"stiffness_Nm_rad", 5.0}, {"angle_rad", 0.5}};
   expect_alone(added(json::array({with_effect("upper_end_stop", truth)})), "upper_end_stop", truth);

@@ -33,6 +33,16 @@ TEST(Confusions, AnOffsetIsOneWhereverItStands) {
   EXPECT_NE(consequence("asymmetric_friction", group).find("in common remains"), std::string::npos);
 }
 
+// g+ and g- of either sensor: one is the inverse of the other, where friction is small beside them.
+TEST(Confusions, AGainThatDiffersBySignMayBeEitherSensors) {
+  Case made;
+  const Names group = {"current_gain_error", "torque_gain_error"};
+  EXPECT_EQ(exact_identities(made.bench(), "current_gain_error"), group);
+  EXPECT_NE(separated_by(made.bench(), group).find("weights"), std::string::npos);
+  made.made.rig.load.type = LoadType::kPendulum;
+  EXPECT_EQ(exact_identities(made.bench(), "current_gain_error"), Names{"current_gain_error"});
+}
+
 // N k is an order of the output where N is whole; a ripple's order may be anything.
 TEST(Confusions, CoggingIsARippleWhereTheRatioIsWhole) {
   Case made;

@@ -62,18 +62,23 @@ TEST(Doubts, FallOnWhatTakesLessThanIsLeft) {
   EXPECT_EQ(doubt_beside({7.9, 0.0}, 1.0, 3.0), "");  // no noise is no measure
 }
 
-// Friction that leaves its own error along the speed is no such friction; a spring may be there.
-TEST(Doubts, FallOnLawsOfDragWhereTheRestGoesWithTheSpeed) {
-  for (const double share : {0.49, 0.51}) {
-    for (const double floors : {2.9, 3.1}) {
-      EquationResult result = with_two(0.3, 0.1);
-      result.added[1].effect = "parallel_spring";
-      result.after = {0.1 * floors, 0.1};
-      result.noise_floor_rms = 0.1;
-      result.structure_after = {{"output_velocity_rad_s", true, share, 0.0, {}, {}}};
-      doubt_laws_of_drag(3.0, result);
-      EXPECT_EQ(is_certain(result, "viscous_friction"), share < 0.5 || floors < 3.0);
-      EXPECT_TRUE(is_certain(result, "parallel_spring"));
+// A law that leaves its own error along what it is a law of is another one; others may be there.
+TEST(Doubts, FallOnLawsWhoseRestGoesAlongTheirOwnCoordinate) {
+  const std::pair<const char*, const char*> kLaws[] = {
+      {"viscous_friction", "output_velocity_rad_s"}, {"load_dependent_friction", "load_torque_Nm"}};
+  for (const auto& [law, coordinate] : kLaws) {
+    for (const double share : {0.49, 0.51}) {
+      for (const double floors : {2.9, 3.1}) {
+        EquationResult result = with_two(0.3, 0.1);
+        result.added[0].effect = law;
+        result.added[1].effect = "reflected_inertia";
+        result.after = {0.1 * floors, 0.1};
+        result.noise_floor_rms = 0.1;
+        result.structure_after = {{coordinate, true, share, 0.0, {}, {}}};
+        doubt_what_goes_along(3.0, result);
+        EXPECT_EQ(is_certain(result, law), share < 0.5 || floors < 3.0) << law;
+        EXPECT_TRUE(is_certain(result, "reflected_inertia"));
+      }
     }
   }
 }

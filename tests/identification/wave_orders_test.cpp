@@ -32,6 +32,25 @@ bool holds(const std::vector<double>& orders, double order) {
   return std::find(orders.begin(), orders.end(), order) != orders.end();
 }
 
+/// The angle that stretches over these cover together.
+double covered_rad(const std::vector<std::pair<double, double>>& spans) {
+  const MadeBench rig;
+  const Log log = rig.log([](const Made&) { return 0.0; });
+  std::vector<Signals> signals;
+  for (const auto& [low, high] : spans) {
+    signals.emplace_back().at.resize(2);
+    signals.back().at[0].output_angle_rad = low;
+    signals.back().at[1].output_angle_rad = high;
+  }
+  return ranges_of(rig.bench(log), signals).angle_rad;
+}
+
+// Oracle: by hand. A whole wave of order 4 takes 1.571 rad, which no stretch of 1.47 has.
+TEST(WaveOrders, AreThoseOfWhichAllStretchesTogetherHoldAWholeOne) {
+  EXPECT_NEAR(covered_rad({{0.0, 1.47}, {0.32, 1.79}}), 1.79, 1e-12);
+  EXPECT_NEAR(covered_rad({{2.0, 3.0}, {0.0, 1.0}, {0.2, 0.4}}), 2.0, 1e-12);
+}
+
 TEST(WaveOrders, OfCoggingAreOfTheMotorsAngle) {
   const WaveOrders orders = orders_of(
       [](const Made& at) { return 0.3 * std::sin(3.0 * MadeBench::kRatio * at.angle_rad + 0.4); });
