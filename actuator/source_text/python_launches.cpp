@@ -62,7 +62,7 @@ def _triton_kernels(on, composes):
         return first, tl.load(line + 2) + tl.load(line + 4) * x
 
     def through_of(drag):
-        SMOOTHING, LIMIT = fixed(2.0 / drag.smoothing_rad_s), fixed(drag.limit_Nm or float("inf"))
+        SMOOTHING, LIMIT = fixed(2.0 / drag.smoothing_rad_s), fixed(drag.limit_Nm or 3.0e38)
         MEAN, HALF, IS_TABLE = fixed(drag.mean), fixed(drag.half), fixed(drag.only is None)
         START, FORWARD, BACKWARD, FORWARD_SLOPE, BACKWARD_SLOPE = map(fixed, drag.only or [0.0] * 5)
         drag_row = finder_of("drag_row", drag.lines) if drag.only is None else held
@@ -91,7 +91,7 @@ def _triton_kernels(on, composes):
         if COMPOSES:
             answer = reached(answer, v, drag_breaks, drag_rows)
         is_number = (effort == effort) & (v == v)
-        tl.store(out + at, tl.where(is_number, answer, float("nan")), mask=mask)
+        tl.store(out + at, tl.where(is_number, answer, effort + v), mask=mask)
 
     def of_lines():
         row_of = finder_of("row_of", on.lines)
@@ -129,7 +129,7 @@ def _triton_kernels(on, composes):
             lost = PER_SPEED * v
             least = held(per_V * (-held(volts, V_LOW, V_HIGH) - lost), -GREATEST, GREATEST)
             greatest = held(per_V * (held(volts, V_LOW, V_HIGH) - lost), -GREATEST, GREATEST)
-            v = tl.where((volts == volts) & (kelvins == kelvins), v, float("nan"))
+            v = tl.where((volts == volts) & (kelvins == kelvins), v, volts + kelvins)
             put(out, torque, at, mask, v, least, greatest, drag_breaks, drag_rows)
 
         return kernel, ()
@@ -207,7 +207,7 @@ def _triton_kernels(on, composes):
             high = tl.maximum(mixed(still + 8, a, b), mixed(still + 12, a, b))
             least = tl.where(v == 0.0, low, least)
             greatest = tl.where(v == 0.0, high, greatest)
-            v = tl.where((volts == volts) & (kelvins == kelvins), v, float("nan"))
+            v = tl.where((volts == volts) & (kelvins == kelvins), v, volts + kelvins)
             put(out, torque, at, mask, v, least, greatest, drag_breaks, drag_rows)
 
         tables = (grid.corners, grid.breaks, grid.numbers, grid.torques, grid.rest)

@@ -133,7 +133,8 @@ class _Lines:
     def _cells(self, cells, is_laid_along):
         """Of each: how many points lie before it, and those in it."""
         edges = self._edges(cells, is_laid_along)
-        edges[0], edges[-1] = (-float("inf"), edges[0][1]), (edges[-1][0], float("inf"))
+        most = sys.float_info.max
+        edges[0], edges[-1] = (-most, edges[0][1]), (edges[-1][0], most)
         found, before, end = [], 0, 0
         for (low, _), (_, high) in zip(edges, edges[1:]):
             while before < len(self.knots) and self.knots[before] < low:

@@ -10,11 +10,12 @@
 namespace torquewright::fuzz {
 namespace {
 
-constexpr std::array<std::string_view, 16> kOutputOptions{
-    "--all",    "-o",           "--output",        "--draw",
-    "--plot",   "--plot-loads", "--plot-momentum", "--refined",
-    "--export", "--write-best", "--figures",       "--report",
-    "--series", "--plot-sweep", "--sweep-journal", "--curve"};
+constexpr std::array<std::string_view, 17> kOutputOptions{
+    "--all",      "-o",           "--output",        "--draw",
+    "--plot",     "--plot-loads", "--plot-momentum", "--refined",
+    "--export",   "--write-best", "--figures",       "--report",
+    "--series",   "--plot-sweep", "--sweep-journal", "--curve",
+    "--actuators"};
 
 /// Of what is done point by point, beside its output (docs/sweeps.md).
 constexpr std::string_view kJournal = ".journal";
