@@ -90,7 +90,9 @@ class Looped {
   void set(const VectorXd& q) { mujoco_.set(q, VectorXd::Zero(mujoco_.nv())); }
 
   Robot robot_ = read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json").robot;
-  test::MujocoEngine mujoco_{mjcf_of(robot_, {true, true, true, true}).text};
+  test::MujocoEngine mujoco_{
+      mjcf_of(robot_, {.actuators = true, .ground = true, .closed_loops = true, .collisions = true})
+          .text};
   std::vector<Index> own_;
   std::vector<Index> links_;
 };
@@ -130,7 +132,9 @@ TEST(ClosedLoops, HaveTheMechanismsMotionAndInertia) {
 // Oracle: the pins hold while MuJoCo runs the file as it is, undriven, for half a second.
 TEST(ClosedLoops, HoldWhereMujocoRunsTheFile) {
   const Robot robot = read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json").robot;
-  test::MujocoEngine mujoco(mjcf_of(robot, {true, true, true, true}).text);
+  test::MujocoEngine mujoco(
+      mjcf_of(robot, {.actuators = true, .ground = true, .closed_loops = true, .collisions = true})
+          .text);
   mjData& data = mujoco.data();
   mj_resetDataKeyframe(&mujoco.model(), &data, 0);
   for (int step = 0; step < 250; ++step) {

@@ -134,7 +134,8 @@ TEST(ExportedMjcf, WritesBodiesWithoutMassAsJointsOfTheNext) {
 
 struct Running {
   Robot robot = read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json").robot;
-  test::MujocoEngine mujoco{mjcf_of(robot, {true, true, false, true}).text};
+  test::MujocoEngine mujoco{
+      mjcf_of(robot, {.actuators = true, .ground = true, .collisions = true}).text};
 
   void take_key(const char* name) {
     const int key = mj_name2id(&mujoco.model(), mjOBJ_KEY, name);
