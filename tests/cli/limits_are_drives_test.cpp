@@ -125,7 +125,7 @@ TEST(LimitsAreDrives, OfCranksToo) {
   const json mechanism = json::parse(place.files().at("leg.json"))["mechanisms"][0];
   EXPECT_EQ(mechanism["type"], "four_bar");
   const std::string file = mechanism["actuators"][0];
-  const json drive = json::parse(place.files().at(file));
+  const json drive = json::parse(text_of(place.path() / file));
   EXPECT_EQ(drive["envelope"]["peak_torque_Nm"], 30.0);
   EXPECT_EQ(drive["effects"][0]["parameters"]["coulomb_Nm"], 0.3);
   EXPECT_EQ(drive["effects"][1]["parameters"]["viscous_Nm_s_rad"], 0.2);
