@@ -149,30 +149,34 @@ template <typename T>
 void LinkedBodiesOf<T>::add_dry_friction(
     const dynamics::VectorIn& acceleration,
     dynamics::VectorOut force) const requires std::same_as<T, double> {
-  const Eigen::VectorXd rates = motions_ * acceleration + bent_;
-  Eigen::VectorXd all = Eigen::VectorXd::Zero(motions_.rows());
-  dynamics::add_dry_friction(state_, rates, all);
-  force += motions_.transpose() * all;
+  if constexpr (std::same_as<T, double>) {  // Clang 14 makes it for other numbers all the same
+    const Eigen::VectorXd rates = motions_ * acceleration + bent_;
+    Eigen::VectorXd all = Eigen::VectorXd::Zero(motions_.rows());
+    dynamics::add_dry_friction(state_, rates, all);
+    force += motions_.transpose() * all;
+  }
 }
 
 template <typename T>
 void LinkedBodiesOf<T>::held_by_friction(
     const dynamics::VectorIn& acceleration, const dynamics::VectorIn& needed,
     dynamics::VectorOut held) const requires std::same_as<T, double> {
-  const Eigen::VectorXd rates = motions_ * acceleration + bent_;
-  const std::vector<dynamics::Body>& bodies = state_.tree().bodies;
-  std::vector<RestingJoint> resting;
-  for (std::size_t i = 1; i < bodies.size(); ++i) {
-    const Index row = state_.joint_row(i);
-    const double most = dynamics::friction_limit(bodies[i].joint.passive, 0.0);
-    const bool moves = std::abs(state_.joint_velocity(i)) > dynamics::kRest ||
-                       std::abs(rates[row]) > dynamics::kRest;
-    if (most == 0.0 || moves || motions_.row(row).isZero(0.0)) continue;
-    resting.push_back({motions_.row(row).transpose(), most});
+  if constexpr (std::same_as<T, double>) {
+    const Eigen::VectorXd rates = motions_ * acceleration + bent_;
+    const std::vector<dynamics::Body>& bodies = state_.tree().bodies;
+    std::vector<RestingJoint> resting;
+    for (std::size_t i = 1; i < bodies.size(); ++i) {
+      const Index row = state_.joint_row(i);
+      const double most = dynamics::friction_limit(bodies[i].joint.passive, 0.0);
+      const bool moves = std::abs(state_.joint_velocity(i)) > dynamics::kRest ||
+                         std::abs(rates[row]) > dynamics::kRest;
+      if (most == 0.0 || moves || motions_.row(row).isZero(0.0)) continue;
+      resting.push_back({motions_.row(row).transpose(), most});
+    }
+    hold_against(needed, resting);
+    held.setZero();
+    for (const RestingJoint& joint : resting) held += joint.held * joint.direction;
   }
-  hold_against(needed, resting);
-  held.setZero();
-  for (const RestingJoint& joint : resting) held += joint.held * joint.direction;
 }
 
 template class LinkedBodiesOf<double>;
