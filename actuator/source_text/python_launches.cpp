@@ -235,7 +235,6 @@ class _Launch:
         self.torch, self.rest = on.tools.xp, (on.voltage_V, on.temperature_K)
         ways = {False, on.drag is not None}
         self.kernels = {composes: _triton_kernels(on, composes) for composes in ways}
-        self.numbers = {}  # voltages and temperatures that are no arrays, as arrays of one number
         functorch = getattr(self.torch._C, "_functorch", None)
         self.is_transformed = getattr(functorch, "is_functorch_wrapped_tensor", lambda array: False)
 
@@ -263,9 +262,9 @@ class _Launch:
 
     def _answer(self, composes, torque, velocity, voltage, temperature, out):
         torch = self.torch
-        if torch.jit.is_tracing() or not self._takes(velocity, velocity):
+        if torch.jit.is_tracing() or self._carries_tangents():
             return None
-        if not self._takes(torque, velocity):
+        if not self._takes(velocity, velocity) or not self._takes(torque, velocity):
             return None
         given, there = (), voltage is not None or temperature is not None
         if there:
@@ -286,10 +285,15 @@ class _Launch:
             kernel[(blocks,)](out, torque, velocity, *given, count, *tables)
         return out
 
+    def _carries_tangents(self):
+        """Whether slopes are taken forward, along with the numbers: the kernels know none."""
+        forward = getattr(self.torch.autograd, "forward_ad", None)
+        return getattr(forward, "_current_level", -1) >= 0
+
     def _takes(self, array, velocity):
         """Whether it is an array as a kernel reads it, of the velocity's shape."""
         return (
-            isinstance(array, self.torch.Tensor)
+            type(array) is self.torch.Tensor
             and array.dtype == self.torch.float32
             and array.device == velocity.device
             and array.shape == velocity.shape
@@ -304,10 +308,8 @@ class _Launch:
         is not so simple."""
         count = velocity.numel()
         if not hasattr(value, "shape"):
-            value = float(value)
-            if value not in self.numbers:
-                self.numbers[value] = self.torch.full((1,), value, device=velocity.device)
-            return self.numbers[value], count
+            place = {"dtype": velocity.dtype, "device": velocity.device}
+            return self.torch.full((1,), float(value), **place), count
         shape = value.shape
         each = 1
         if value.numel() == 1:

@@ -131,6 +131,14 @@ def what_launches_leave(file):
     }
     with torch.no_grad():
         facts["no_slopes"] = taken(torque, steep)
+    with torch.autograd.forward_ad.dual_level():
+        dual = torch.autograd.forward_ad.make_dual(velocity, torch.ones(4, 2))
+        facts["forward_slopes"] = taken(torque, dual)
+        tangent = torch.autograd.forward_ad.unpack_dual(on.clip(torque, dual)).tangent
+        facts["tangents"] = tangent is not None and bool((tangent < 0.0).all())
+    torch.set_default_dtype(torch.float64)
+    facts["under_double"] = str(on.clip(torque, velocity, 60.0, 300.0).dtype)
+    torch.set_default_dtype(torch.float32)
     return facts
 
 

@@ -238,10 +238,13 @@ TEST_F(TrainingModule, CarriesHeatAndTheSharedSupplyAlong) {
 // What a launch does not know is found the plain way: slopes, other shapes, other precisions.
 TEST_F(TrainingModule, LaunchesTakeWhatTheyKnow) {
   if (!has_torch_) GTEST_SKIP() << "python3-torch is not installed";
-  const json expected = {{"plain", true},   {"by_robot", true},     {"number", false},
-                         {"row", false},    {"double", false},      {"turned", false},
-                         {"empty", false},  {"other_shape", false}, {"slopes", false},
-                         {"written", true}, {"no_slopes", true}};
+  const json expected = {{"plain", true},     {"by_robot", true},
+                         {"number", false},   {"row", false},
+                         {"double", false},   {"turned", false},
+                         {"empty", false},    {"other_shape", false},
+                         {"slopes", false},   {"written", true},
+                         {"no_slopes", true}, {"forward_slopes", false},
+                         {"tangents", true},  {"under_double", "torch.float32"}};
   EXPECT_EQ(said().facts.at("left"), expected);
 }
 
