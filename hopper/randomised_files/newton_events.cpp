@@ -54,11 +54,7 @@ def randomise(builder, bodies, joints, random):
 EventText write(const DrawnParts& parts, const Robot&) {
   const Randomisation& stated = *parts.stated;
   EventText written;
-  written.text = python_pair_or_none("TOTAL_MASS_FACTOR", stated.total_mass_factor) +
-                 python_rows("MASS_FACTOR", parts.mass_factor) +
-                 python_rows("INERTIA_FACTOR", parts.inertia_factor) +
-                 python_shift_rows(parts.center_of_mass_m) +
-                 python_rows("DRY_FRICTION_NM", parts.dry_friction_Nm) +
+  written.text = python_tables_of(parts) +
                  python_pair_or_none("GROUND_FRICTION", stated.friction_coefficient) +
                  python_pair_or_none("RESTITUTION", stated.restitution) + std::string(kFunction);
   if (!parts.gain_factor.empty()) {

@@ -46,6 +46,16 @@ inline std::string python_pair_or_none(std::string_view name, const std::optiona
   return fmt::format("{} = {}\n", name, range ? python_pair(*range) : "None");
 }
 
+/// Of bodies and joints, by Python's names: TOTAL_MASS_FACTOR, MASS_FACTOR, INERTIA_FACTOR,
+/// CENTER_OF_MASS_M, DRY_FRICTION_NM.
+inline std::string python_tables_of(const DrawnParts& parts) {
+  return python_pair_or_none("TOTAL_MASS_FACTOR", parts.stated->total_mass_factor) +
+         python_rows("MASS_FACTOR", parts.mass_factor) +
+         python_rows("INERTIA_FACTOR", parts.inertia_factor) +
+         python_shift_rows(parts.center_of_mass_m) +
+         python_rows("DRY_FRICTION_NM", parts.dry_friction_Nm);
+}
+
 /// The shifts of one body as a dictionary of Python: `{"x": (-0.01, 0.01), "z": (0, 0.01)}`.
 struct BodyRanges {
   std::string body;
