@@ -114,17 +114,13 @@ OptimizeAnswer compute(const OptimizeRequest& request, const ReadProblem& inputs
 std::string next_line(const OptimizeRequest& request, const gearbox::Problem& problem,
                       const OptimizeAnswer& answer) {
   if (request.all || answer.found.designs.empty()) return "";
-  const std::string& result = request.outputs.result;
-  if (result.empty() || is_standard_output(result)) {
-    return fmt::format(
-        "next: torquewright gearbox optimize {} -o RESULT.json; --all; --draw GEARS.svg\n",
-        report::shell_word(request.problem_file));
-  }
   std::string more = problem.steel ? "" : std::string(" --steel ") + gearbox::kAssumedSteel;
   if (problem.face_width_mm.empty()) more += " --face-width MM";
   if (!problem.load_output_torque_Nm) more += " --torque NM";
-  return fmt::format("next: torquewright gearbox strength {}{}; --all\n",
-                     report::shell_word(result), more);
+  return fmt::format(
+      "next: torquewright gearbox optimize {} --all; -o RESULT.json, then torquewright gearbox "
+      "strength RESULT.json{}\n",
+      report::shell_word(request.problem_file), more);
 }
 
 void write(const OptimizeRequest& request, const gearbox::Problem& problem,

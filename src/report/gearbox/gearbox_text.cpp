@@ -159,9 +159,11 @@ std::string optimization_text(const Problem& problem, const DesignSearchResult& 
     text += fmt::format("Just as good as the last: {} with {} planets, module {:g} mm.\n",
                         fmt::join(tie.teeth, "/"), tie.planet_count, io::nearest(tie.module_mm));
   }
-  if (!has_all) return text + assumed_text(problem);
-  if (result.bound) text += fmt::format("Bound that nothing beats: {:.8g}\n", *result.bound);
-  return text + assumed_text(problem) + proof_text(result);
+  const bool is_open = result.status == DesignSearchStatus::kLimit;
+  if (result.bound && (has_all || is_open)) {
+    text += fmt::format("Bound that nothing beats: {:.8g}\n", *result.bound);
+  }
+  return text + assumed_text(problem) + (has_all ? proof_text(result) : "");
 }
 
 std::string evaluation_text(const Problem& problem, const DesignReport& report,

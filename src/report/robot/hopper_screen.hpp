@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "hopper/demand/checked_motion.hpp"
+#include "hopper/check/hopper_check.hpp"
 
 namespace torquewright::report {
 
