@@ -39,17 +39,13 @@ plans of motions, and identification from logs, for programs in C++20.")
 
 set(all_packages torquewright libtorquewright-dev)
 
-# The compiled part is of one version of Python; shared libraries are known to be needed, Python and
-# what its own files import are not.
+# Shared libraries are known to be needed; Python and what its own files import are not.
 if(TARGET torquewright_python)
   list(APPEND all_packages python3-torquewright)
-  set(python_version ${DEBIAN_PYTHON_MAJOR}.${DEBIAN_PYTHON_MINOR})
-  math(EXPR next_minor "${DEBIAN_PYTHON_MINOR} + 1")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-torquewright)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
-  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${python_version}), \
-python3 (<< ${DEBIAN_PYTHON_MAJOR}.${next_minor}), python3-numpy")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.9), python3-numpy")
   set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
     ${CMAKE_CURRENT_SOURCE_DIR}/python/postinst ${CMAKE_CURRENT_SOURCE_DIR}/python/prerm)
   set(CPACK_COMPONENT_PYTHON_DESCRIPTION

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/text/number_text.hpp"
+
 namespace torquewright::actuator {
 
 ExportedConditions exported_conditions(const Subject& subject) {
@@ -69,7 +71,7 @@ std::string number_lines(std::span<const double> values, std::string_view indent
   std::string text;
   for (std::size_t i = 0; i < values.size(); ++i) {
     text += i % kPerLine == 0 ? std::string(indent) : " ";
-    text += is_rounded ? fmt::format("{:.10g}", values[i]) : fmt::format("{}", values[i]);
+    text += is_rounded ? fmt::format("{:.10g}", values[i]) : io::precise_text(values[i]);
     text += i % kPerLine == kPerLine - 1 || i + 1 == values.size() ? ",\n" : ",";
   }
   return text;

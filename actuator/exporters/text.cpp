@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "io/text/number_text.hpp"
+
 namespace torquewright::actuator {
 namespace {
 
@@ -79,7 +81,7 @@ std::string identifier(std::string_view text) {
 }
 
 PythonArgument python_argument(std::string_view name, double value) {
-  return {name, fmt::format("{}", value), false};
+  return {name, io::precise_text(value), false};
 }
 
 PythonArgument armature_argument(double armature_kg_m2) {
@@ -88,7 +90,8 @@ PythonArgument armature_argument(double armature_kg_m2) {
 }
 
 std::string armature_attribute(double armature_kg_m2) {
-  return armature_kg_m2 == 0.0 ? "" : fmt::format(" armature=\"{}\"", armature_kg_m2);
+  return armature_kg_m2 == 0.0 ? ""
+                               : fmt::format(" armature=\"{}\"", io::precise_text(armature_kg_m2));
 }
 
 std::string friction_constraint(double frictionloss_Nm) {
@@ -96,7 +99,7 @@ std::string friction_constraint(double frictionloss_Nm) {
 }
 
 PythonArgument friction_argument(std::string_view name, double value) {
-  return {name, value == 0.0 ? "0.0" : fmt::format("{}", value), false};
+  return {name, value == 0.0 ? "0.0" : io::precise_text(value), false};
 }
 
 std::string python_string(std::string_view text) {

@@ -3,11 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 
 #include "actuator/region/left_out.hpp"
+#include "io/text/number_text.hpp"
 
 namespace torquewright::actuator {
 namespace {
@@ -65,9 +69,45 @@ ordered_json either(bool is_known, const Value& value) {
   return is_known ? ordered_json(value) : ordered_json();
 }
 
-std::string cell(const ordered_json& value) {
+/// The greatest magnitude of each column of numbers, by which its digits are known.
+std::map<std::string, double> scales_of(const ordered_json& rows) {
+  std::map<std::string, double> scales;
+  for (const ordered_json& row : rows) {
+    for (const auto& item : row.items()) {
+      if (!item.value().is_number()) continue;
+      double& scale = scales[item.key()];
+      scale = std::max(scale, std::abs(item.value().get<double>()));
+    }
+  }
+  return scales;
+}
+
+std::string cell(const ordered_json& value, double scale) {
   if (value.is_null()) return "";
-  return value.is_string() ? value.get<std::string>() : fmt::format("{}", value.get<double>());
+  return value.is_string() ? value.get<std::string>() : io::known_text(value.get<double>(), scale);
+}
+
+std::string line_of(const ordered_json& row, const std::map<std::string, double>& scales) {
+  std::string line;
+  for (const auto& item : row.items()) {
+    if (item.key() == "plugging") continue;
+    const auto scale = scales.find(item.key());
+    line += line.empty() ? "" : ",";
+    line += cell(item.value(), scale == scales.end() ? 0.0 : scale->second);
+  }
+  return line + "\n";
+}
+
+/// Rows that are one but for what rounding left, on both sides of a corner, are one line.
+std::string lines_of(const ordered_json& rows) {
+  const std::map<std::string, double> scales = scales_of(rows);
+  std::string text, last;
+  for (const ordered_json& row : rows) {
+    const std::string line = line_of(row, scales);
+    if (line != last) text += line;
+    last = line;
+  }
+  return text;
 }
 
 }  // namespace
@@ -98,7 +138,9 @@ ordered_json mor_table_json(const MorHeader& header, const MorTable& table) {
 }
 
 std::string mor_table_csv(const MorHeader& header, const MorTable& table) {
-  const ordered_json document = mor_table_json(header, table);
+  ordered_json document = mor_table_json(header, table);
+  document["interpolation_error_Nm"] =
+      io::known(table.interpolation_error_Nm, table.peak_torque_Nm);
   std::string text;
   for (const auto& item : document.items()) {
     if (item.key() == "rows" || item.key() == "kind" || item.key() == "version") continue;
@@ -115,16 +157,7 @@ std::string mor_table_csv(const MorHeader& header, const MorTable& table) {
   text +=
       "speed_rad_s,torque_min_Nm,torque_max_Nm,current_min_A,current_max_A,bus_power_at_min_W,"
       "bus_power_at_max_W,limiter_min,limiter_max\n";
-  for (const ordered_json& row : document["rows"]) {
-    std::string separator;
-    for (const auto& item : row.items()) {
-      if (item.key() == "plugging") continue;
-      text += separator + cell(item.value());
-      separator = ",";
-    }
-    text += "\n";
-  }
-  return text;
+  return text + lines_of(document["rows"]);
 }
 
 }  // namespace torquewright::actuator

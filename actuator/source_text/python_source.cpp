@@ -56,13 +56,18 @@ class Region:
         for name, other in others:
             if not hasattr(other, "dtype"):
                 continue
+            if xp.__name__ == "torch" and other.shape and _namespace(other) is not xp:
+                raise ValueError(
+                    f"{self.name}: {name} is no tensor, velocity is one; torch.as_tensor makes one"
+                )
             where = getattr(other, "device", None)
             if device is not None and where is not None and str(where) != str(device):
                 raise ValueError(
                     f"{self.name}: {name} is on {where}, velocity on {device}; move one of them"
                 )
             if other.dtype != kind and "float" in str(other.dtype):
-                kind = xp.result_type(kind, other.dtype) if "float" in str(kind) else other.dtype
+                finer = getattr(xp, "promote_types", None) or xp.result_type
+                kind = finer(kind, other.dtype) if "float" in str(kind) else other.dtype
         if "float" not in str(kind):
             kind = xp.asarray(0.0).dtype  # numbers without a fraction count as the library's floats
         inside = xp.float32 if "float16" in str(kind) else kind
@@ -94,6 +99,8 @@ class Region:
     def _prepared(self, torque, velocity, voltage, temperature):
         others = [("torque", torque), ("voltage", voltage), ("temperature", temperature)]
         on, kind = self._beside(velocity, others)
+        if isinstance(torque, (int, float)):
+            torque = on.tools.floats(torque)
         if voltage is not None or temperature is not None:
             if self.grid is None:
                 raise ValueError(

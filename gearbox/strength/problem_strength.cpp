@@ -30,7 +30,7 @@ std::vector<std::string> missing_keys(const Problem& problem) {
 std::string borne_sentence(const StrengthCase& strength, const Problem& problem) {
   const TorqueLimit limit = torque_limits(strength).for_cycles;
   return fmt::format(
-      "strength: the teeth bear {:.4g} of {:.6g} Nm at the output ({}, {:.6g} loads{}); {} of {} "
+      "the teeth bear {:.4g} of {:.6g} Nm at the output ({}, {:.6g} loads{}); {} of {} "
       "in "
       "{} ends it.",
       limit.joint_Nm, io::nearest(*problem.load_output_torque_Nm), *problem.steel, strength.cycles,
@@ -53,7 +53,24 @@ std::string strength_sentence(const Problem& problem, const std::vector<Design>&
   if (designs.empty()) return fmt::format("strength: whether teeth bear {}.", load);
   const auto strength = strength_of_design(problem, designs.front());
   if (!strength) return "strength: stresses of these teeth cannot be computed.";
-  return borne_sentence(*strength, problem);
+  return "strength: " + borne_sentence(*strength, problem);
+}
+
+/// The problem with what its strength needs, and which of it was assumed.
+Problem with_strength_assumed(Problem problem, const Design& design,
+                              std::vector<std::string>& assumed) {
+  if (!problem.steel) {
+    problem.steel = kAssumedSteel;
+    assumed.push_back(fmt::format("steel {}", kAssumedSteel));
+  }
+  if (problem.face_width_mm.empty()) {
+    const Rational width_mm = kAssumedFaceModules * design.module_mm;
+    for (const std::string& layer : train_parts(problem.topology).layer_names()) {
+      problem.face_width_mm[layer] = width_mm;
+    }
+    assumed.push_back(fmt::format("face widths of {:g} mm", io::nearest(width_mm)));
+  }
+  return problem;
 }
 
 }  // namespace
@@ -92,6 +109,19 @@ std::string held_fixed(const Problem& problem) {
   return fmt::format("without profile shift{}{}",
                      has_layers ? ", one module for both layers, rings coaxial by their teeth" : "",
                      problem.face_width_mm.empty() ? "" : ", face widths as stated");
+}
+
+std::string strength_statement(const Problem& problem, const Design& design) {
+  if (!problem.load_output_torque_Nm || *problem.load_output_torque_Nm == 0) {
+    return "not judged: no load is stated";
+  }
+  std::vector<std::string> assumed;
+  const Problem whole = with_strength_assumed(problem, design, assumed);
+  const auto strength = strength_of_design(whole, design);
+  if (!strength) return "not judged: stresses of these teeth cannot be computed";
+  const std::string told = borne_sentence(*strength, whole);
+  if (assumed.empty()) return told;
+  return fmt::format("{} Assumed: {}.", told, fmt::join(assumed, ", "));
 }
 
 std::vector<std::string> not_asked(const Problem& problem, const std::vector<Design>& designs) {

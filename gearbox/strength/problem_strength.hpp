@@ -19,6 +19,10 @@ inline constexpr double kAssumedCycles = 10000.0;
 inline constexpr double kAssumedRootSafety = 1.4;
 inline constexpr double kAssumedFlankSafety = 1.0;
 
+/// Of a screen that shows what teeth bear though the problem states neither steel nor face widths.
+inline constexpr const char* kAssumedSteel = "case_hardened";
+inline constexpr int kAssumedFaceModules = 10;
+
 /// Load factors likewise; K_gamma by the number of planets (docs/derivations/strength.md "A result
 /// instead of a document").
 LoadFactors assumed_factors(std::int64_t planet_count);
@@ -29,6 +33,9 @@ std::optional<StrengthCase> strength_of_design(const Problem& problem, const Des
 
 /// What no search without `synthesis` chooses: a sentence.
 std::string held_fixed(const Problem& problem);
+
+/// How much of the load a design's teeth bear, and what is assumed for it: a sentence.
+std::string strength_statement(const Problem& problem, const Design& design);
 
 /// What was not asked of the best of these designs: sentences. Where steel, face widths and load
 /// are stated, how much of the load its teeth bear.

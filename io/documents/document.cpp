@@ -13,6 +13,7 @@
 
 #include "io/documents/json_reader.hpp"
 #include "io/documents/schema.hpp"
+#include "io/documents/stated_units.hpp"
 #include "io/faults/diagnosis.hpp"
 #include "io/files/file_bytes.hpp"
 #include "io/files/sha256.hpp"
@@ -130,8 +131,9 @@ JsonText read_complete_text(const std::string& bytes, const std::string& file) {
 Document checked(JsonText text, const std::string& bytes, const std::string& file,
                  std::string_view kind) {
   take_listed_capitals(text.root, schema_of(kind));
-  Document document{file, "", std::move(text.root), sha256(bytes)};
   std::vector<Fault> faults = std::move(text.faults);
+  take_stated_units(text.root, schema_of(kind), file, faults);
+  Document document{file, "", std::move(text.root), sha256(bytes)};
   for (Fault& fault : find_faults(document, kind)) faults.push_back(std::move(fault));
   if (!faults.empty()) throw SpecError(std::move(faults));
   return document;

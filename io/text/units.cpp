@@ -54,7 +54,8 @@ constexpr Unit kUnits[] = {
 std::optional<Unit> find_unit(std::string_view name) {
   std::string plain(name);
   std::erase(plain, ' ');  // N m
-  if (plain == "rad_s" || plain == "deg_s" || plain == "rev_s") plain[3] = '/';
+  // As keys and columns have it.
+  if (plain.ends_with("_s") && plain != "_s") plain[plain.size() - 2] = '/';
   const auto* found = std::find_if(std::begin(kUnits), std::end(kUnits),
                                    [&](const Unit& unit) { return unit.name == plain; });
   if (found == std::end(kUnits)) return std::nullopt;

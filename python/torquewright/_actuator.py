@@ -68,6 +68,10 @@ class Actuator:
             )
         self.name: str = self.document.get("name", "")
 
+    def __getstate__(self) -> dict[str, Any]:
+        """For copies and other processes: their tables are made again when they are asked for."""
+        return {**self.__dict__, "_clips": {}, "_modules": {}}
+
     def __repr__(self) -> str:
         return f"<torquewright.Actuator {self.name!r}>"
 
@@ -151,6 +155,9 @@ class Actuator:
         conditions = (bus_voltage_V, state_of_charge, winding_temperature_K, side, rating)
         if _is_foreign(speed_rad_s):
             return self._module_of(conditions).clip(torque_Nm, speed_rad_s)
+        if _is_foreign(torque_Nm):
+            raise refuse("speed_rad_s", "must be of the library of torque_Nm, which is an array of "
+                         + type(torque_Nm).__module__.partition(".")[0])
         torques = numbers("torque_Nm", torque_Nm)
         speeds = numbers("speed_rad_s", speed_rad_s)
         if torques.shape != speeds.shape:

@@ -60,6 +60,15 @@ def write_table(file: Path, name: str, columns: Mapping[str, Any]) -> None:
         table.writerows(zip(*(array.tolist() for array in arrays.values())))
 
 
+def read_table(file: Path) -> dict[str, np.ndarray]:
+    """The columns of numbers of a CSV file that the program wrote."""
+    with file.open(newline="", encoding="utf-8") as stream:
+        rows = csv.reader(line for line in stream if not line.startswith("#"))
+        names = next(rows)
+        values = np.array([[float(cell) for cell in row] for row in rows])
+    return {name: values[:, i] for i, name in enumerate(names)}
+
+
 def _column(name: str, values: Any) -> np.ndarray:
     array = np.asarray(values)
     if array.dtype.kind == "O" and all(isinstance(one, str) for one in array.flat):

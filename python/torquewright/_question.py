@@ -61,6 +61,12 @@ class Question:
         write_table(file, name, source)
         return str(file)
 
+    def written_table(self, keyword: str, option: str) -> Path:
+        """A file that the command is to write there, of the question's own."""
+        file = self._file(keyword + ".csv")
+        self.option(keyword, option, str(file))
+        return file
+
     def argument(self, word: str) -> None:
         """One by its place. They stand before all options: some of those take every word behind."""
         self._arguments.append(word)

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import Any
 
 from ._actuator import Source
+from ._arrays import read_table
 from ._question import Progress, Question, finite_number
 from ._refusal import refuse
 from ._reports import Table, optimize
@@ -72,7 +73,8 @@ def flip(
 ) -> Result:
     """A flip, a jump or a hop that the robot's actuators can do, planned.
 
-    ``robot``: the document of kind ``robot``. ``motion``: a file for the motion, CSV. ``task``:
+    ``robot``: the document of kind ``robot``. ``motion``: a file for the motion, CSV; without one
+    the report holds it under ``motion``, as columns of arrays that ``replay`` takes. ``task``:
     ``"flip"``, ``"jump"`` or ``"hop"``. ``limits``: ``"mor"``, the drives' regions, or ``"box"``.
     ``progress``: a function that hears how far long work is, in a terminal's words.
 
@@ -89,9 +91,15 @@ def flip(
         question.progress(progress)
         question.text("task", "--task", task)
         question.text("limits", "--limits", limits)
+        file = None
+        if motion is None:
+            file = question.written_table("motion", "--output")
         question.text("motion", "--output", motion)
         question.argument(question.document("robot", robot))
-        return question.answer()
+        report = question.answer()
+        if file is not None and file.exists():
+            report["motion"] = read_table(file)
+        return report
 
 
 def replay(

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <set>
 
+#include "io/text/number_text.hpp"
 #include "robot/loops/kept_loop.hpp"
 #include "robot/loops/kept_loops.hpp"
 #include "robot/loops/linkage_check.hpp"
@@ -210,11 +211,12 @@ class LinkageReader {
     double worst = 0;
     for (std::size_t i = 0; i < linkages_.size(); ++i) {
       worst = std::max(worst, off_[i].energy_share);
-      imported_.notes.push_back(fmt::format(
-          "what moves {} is read as a {}, driven at {}: in {} postures cranks stand "
-          "where the file's bodies do, but for {:.1g} rad",
-          joints_of(linkages_[i].loops.front()), linkages_[i].mechanism->type(),
-          fmt::join(names_of(linkages_[i]), " and "), off_[i].postures, off_[i].crank_rad));
+      imported_.notes.push_back(
+          fmt::format("what moves {} is read as a {}, driven at {}: in {} postures cranks stand "
+                      "where the file's bodies do, but for {:.1g} rad",
+                      joints_of(linkages_[i].loops.front()), linkages_[i].mechanism->type(),
+                      fmt::join(names_of(linkages_[i]), " and "), off_[i].postures,
+                      io::known(off_[i].crank_rad, 1.0)));
     }
     if (linkages_.empty()) return;
     imported_.notes.push_back(

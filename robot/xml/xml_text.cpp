@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "io/text/number_text.hpp"
+
 namespace torquewright::hopper {
 
-std::string text_of(double value) { return fmt::format("{}", value); }
+std::string text_of(double value) { return io::precise_text(value); }
 
 std::string text_of(const Eigen::Vector3d& vector) {
-  return fmt::format("{} {} {}", vector[0], vector[1], vector[2]);
+  return fmt::format("{} {} {}", text_of(vector[0]), text_of(vector[1]), text_of(vector[2]));
 }
 
 std::vector<std::string> joined(std::vector<std::string> notes,

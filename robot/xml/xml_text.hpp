@@ -18,7 +18,7 @@ inline constexpr double kNoRange = 1e4;
 /// drive and finite for all of them, and our own import reads it as no limit.
 inline constexpr double kNoLimit = 1e9;
 
-/// The shortest decimals that read back the same.
+/// As io::precise_text has it: read back they are the same.
 std::string text_of(double value);
 std::string text_of(const Eigen::Vector3d& vector);
 

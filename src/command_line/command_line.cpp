@@ -20,6 +20,7 @@
 #include "src/command_line/blank_value.hpp"
 #include "src/command_line/help_text.hpp"
 #include "src/command_line/misspelling.hpp"
+#include "src/command_line/repeated_option.hpp"
 
 namespace torquewright::command_line {
 namespace {
@@ -463,6 +464,7 @@ void Program::refuse_words(const std::vector<std::string>& words, const std::str
   });
   const auto blank = is_left_empty ? blank_value(declared_, words) : std::nullopt;
   if (blank) refuse(*blank);
+  if (const auto repeated = repeated_option(declared_, words)) refuse(*repeated);
   const DeclaredCommand& command = *reached_by(declared_, words).command;
   for (const DeclaredOption& option : command.options) {
     if (why != longest_name(option) + " is required" || option.choices.empty()) continue;

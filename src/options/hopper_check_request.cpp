@@ -90,6 +90,9 @@ void add_file_options(command_line::Command& command, HopperCheckRequest& reques
   command.add_option("-o,--output", request.output_file, "Write the report as JSON to this file")
       .names_a_file();
   command.add_flag("--json", request.json, "Print the report as JSON");
+  command
+      .add_flag("--all", request.all, "Print all that was found of each drive, and every finding")
+      .excludes("--json");
 }
 
 }  // namespace

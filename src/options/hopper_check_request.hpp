@@ -38,6 +38,7 @@ struct HopperCheckRequest {
   std::string report_file;
   std::string series_file;
   std::string output_file;
+  bool all = false;  ///< Every drive and finding, not one screen.
   bool json = false;
 };
 

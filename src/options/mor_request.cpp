@@ -26,8 +26,10 @@ void add_questions(command_line::Command& command, MorRequest& request) {
       command
           .add_option(
               "--need", request.need,
-              "TORQUE@SPEED in Nm and rad/s: say whether it is reached, and if not, what would do")
+              "TORQUE@SPEED in Nm and rad/s, or with units, 100@95rpm: say whether it is reached, "
+              "and if not, what would do")
           .otherwise("not asked");
+  add_lever(command, request.lever_m);
   command_line::Option ratio =
       command
           .add_option("--ratio", request.ratios,
@@ -166,7 +168,7 @@ void require_accuracy(const MorRequest& request) {
 
 std::optional<actuator::Need> need_of(const MorRequest& request) {
   if (request.need.empty()) return std::nullopt;
-  return read_need("--need", request.need);
+  return read_need("--need", request.need, request.lever_m);
 }
 
 std::pair<double, double> ratio_range_of(const MorRequest& request) {

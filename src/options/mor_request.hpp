@@ -30,7 +30,8 @@ struct MorRequest {
   std::string friction;  ///< Empty: wherever the simulator can have it.
   double accuracy = actuator::kTableAccuracy;
   std::vector<double> speeds_rad_s;
-  std::string need;    ///< TORQUE@SPEED
+  std::string need;  ///< TORQUE@SPEED
+  std::optional<double> lever_m;
   std::string ratios;  ///< LOW:HIGH
   std::string compare_file;
   std::string output_file;

@@ -29,6 +29,10 @@ void add_optimize_options(command_line::Command& command, OptimizeRequest& reque
       .stated_as("time_limit_s");
   command.add_flag("--verify", request.verify, "Check the proof with the independent checker");
   command.add_flag("--json", request.json, "Print the result as JSON");
+  command
+      .add_flag("--all", request.all,
+                "Print tables of gears and meshes, every constraint, the proof")
+      .excludes("--json");
   command.add_flag("--timing", request.timing, "State the seconds (runs then differ in bytes)");
 }
 

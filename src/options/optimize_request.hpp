@@ -19,6 +19,7 @@ struct OptimizeRequest {
   std::int64_t max_nodes = 0;  ///< 0: as many as it takes.
   double time_limit_s = 0.0;   ///< 0: as long as it takes.
   bool verify = false;
+  bool all = false;  ///< Tables, constraints and proof, not one screen.
   bool json = false;
   bool timing = false;
 };

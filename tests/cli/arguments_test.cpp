@@ -43,6 +43,10 @@ std::vector<BadArguments> bad_arguments() {
        "command line: unknown option --trials of hopper check; it is one of hopper replay"},
       {{"actuator", "mor", "a.json", "--side", "jont"},
        "command line: --side: \"jont\" is none of joint, motor; did you mean joint?"},
+      {{"actuator", "mor", "a.json", "--for", "mjlab", "--format=mujoco"},
+       "command line: --for and --format are one option; give one of them"},
+      {{"actuator", "mor", "a.json", "--side", "joint", "--side", "motor"},
+       "command line: --side is given twice; give one"},
       {{"robot", "export", "a.json"},
        "command line: --format is required: mjcf, playground, urdf, gazebo, drake, genesis, "
        "pybullet, isaac-gym, isaac-lab, isaac-lab-remotized, mjlab, newton or isaac-lab-2.3"},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -142,6 +143,21 @@ TEST_F(HopperCheck, PassesAndReportsByItsSchema) {
   EXPECT_EQ(report["transmission_load"].size(), 1u);
   EXPECT_NEAR(report["transmission_load"][0]["joint_Nm"].get<double>(), 9.81 * 0.5, 1e-9);
   EXPECT_NEAR(report["contact_load"][0]["joint_Nm"].get<double>(), 0.0, 1e-6);
+}
+
+// One line of the drive on the screen: 4.905 Nm held, the rest behind --all.
+TEST_F(HopperCheck, AnswersOnOneScreen) {
+  const Outcome screen = check(crane(), swing(0.0));
+  EXPECT_EQ(screen.exit_code, 0) << screen.err;
+  EXPECT_LE(std::count(screen.out.begin(), screen.out.end(), '\n'), 12) << screen.out;
+  const std::size_t line = screen.out.find("\n  elbow ");
+  ASSERT_NE(line, std::string::npos) << screen.out;
+  EXPECT_NE(screen.out.find("4.905", line), std::string::npos);
+  EXPECT_NE(screen.out.find("pass\n", line), std::string::npos);
+  EXPECT_NE(screen.out.find("notes, on what is assumed"), std::string::npos);
+  EXPECT_NE(screen.out.find("\nnext: torquewright hopper replay "), std::string::npos);
+  EXPECT_EQ(screen.out.find("  margin   "), std::string::npos);
+  EXPECT_NE(check(crane(), swing(0.0), {"--all"}).out.find("  margin   "), std::string::npos);
 }
 
 // The elbow holds the arm with 4.905 Nm, which its gears pass, touching or not.

@@ -61,6 +61,31 @@ TEST(MorOptions, OneScreenSaysTheRegionWhereNothingMoreIsAsked) {
             mor(place, {"--table", "--accuracy", "0.1"}).out);
 }
 
+// Oracle: 10 rad/s are 300 / pi rpm; 2 kN and 1 m/s at 0.1 m are 200 Nm and 10 rad/s.
+TEST(MorOptions, NeedsHaveTheUnitsThatPeopleHave) {
+  const Workplace place;
+  const std::string plain = mor(place, {"--need", "200@10"}).out;
+  EXPECT_EQ(mor(place, {"--need", "200000mNm@95.49296585513721rpm"}).out, plain);
+  EXPECT_EQ(mor(place, {"--need", "2kN@1m_s", "--lever", "0.1"}).out, plain);
+  EXPECT_EQ(mor(place, {"--need", "2kN@10"}).err,
+            "--need: kN is along a line; --lever says how far from the axis that is\n");
+  EXPECT_EQ(mor(place, {"--need", "200@10V"}).err,
+            "--need: \"V\" is none of rad/s, deg/s, rev/s, rpm; with --lever m/s, mm/s too\n");
+  EXPECT_EQ(mor(place, {"--lever", "0.1"}).exit_code, 2);
+}
+
+// What rounding left beside 3360 W and 253.75 rad/s, on both sides of a corner.
+TEST(MorOptions, TablesHaveTheDigitsThatAreKnown) {
+  const Workplace place;
+  const std::string table = mor(place, {"--table", "--side", "motor"}).out;
+  EXPECT_NE(table.find("\n-253.75,16,16,50,50,-3360,-3360,voltage,current\n"), std::string::npos)
+      << table;
+  EXPECT_NE(table.find("\n-210,0,16,0,50,0,-2660,voltage,current\n"), std::string::npos) << table;
+  for (const char* noise : {"99999", "00000", "e-1"}) {
+    EXPECT_EQ(table.find(noise), std::string::npos) << noise << table;
+  }
+}
+
 TEST(MorOptions, JsonIsWhatANameThatEndsSoHolds) {
   const Workplace place;
   for (std::vector<std::string> options : std::vector<std::vector<std::string>>{

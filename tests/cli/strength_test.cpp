@@ -2,6 +2,7 @@
 // `gearbox strength` as a user runs it: exit codes, both sides of a torque, and its JSON.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -137,6 +138,28 @@ const std::string kResult = in_repository("specs/gearbox/d151_knee_result.json")
 Outcome strength_of_result(std::vector<std::string> options) {
   options.insert(options.begin(), {"gearbox", "strength", kResult, "--torque", "16"});
   return run(options);
+}
+
+// Oracle: `gearbox strength` of the result, told the steel and the face width that are assumed.
+TEST(StrengthOfAResult, StandsOnTheSearchesScreen) {
+  const Workplace place;
+  const std::string problem = in_repository("specs/gearbox/d151_knee.json").string();
+  const std::string screen = place.run({"gearbox", "optimize", problem, "-o", "r.json"}).out;
+  EXPECT_LE(std::count(screen.begin(), screen.end(), '\n'), 24) << screen;
+  EXPECT_NE(screen.find("Assumed: steel case_hardened, face widths of 6 mm"), std::string::npos);
+  const std::string told =
+      place.run({"gearbox", "strength", "r.json", "--steel", "case_hardened", "--face-width", "6"})
+          .out;
+  const std::string bears = "the teeth bear ";
+  const std::size_t begin = screen.find(bears);
+  ASSERT_NE(begin, std::string::npos) << screen;
+  const std::size_t number = begin + bears.size();
+  const std::string joint_Nm = screen.substr(number, screen.find(' ', number) - number);
+  const std::size_t loads = told.find("  10000 loads");
+  ASSERT_NE(loads, std::string::npos) << told;
+  EXPECT_NE(told.find(" " + joint_Nm + " Nm at the joint", loads), std::string::npos) << screen;
+  const std::string all = place.run({"gearbox", "optimize", problem, "--all"}).out;
+  EXPECT_NE(all.find("Bound that nothing beats: 17360.112"), std::string::npos);
 }
 
 // Oracle: the document of the same gearbox, steel aside, which states what is assumed here; the

@@ -145,8 +145,9 @@ struct LeftOut {
 
 const std::vector<LeftOut> kLeftOut = {
     {R"(.*: /\$schema)", "names a file that each user has elsewhere"},
-    {R"(actuator: .*/(value|side|ampere|tolerance|also))",
-     "a number may say so too; the example shows each of them at least once, but for `also`"},
+    {R"(actuator: .*/(value|side|ampere|unit|tolerance|also))",
+     "a number may say so too; the example shows each of them at least once, but for `unit` and "
+     "`also`"},
     {R"(actuator: /(envelope|sources).*)",
      "in the place of motor and drive: `init actuator --envelope`"},
     {R"(actuator: /effects/\*/(provenance/.*|replaces|standard_error))",

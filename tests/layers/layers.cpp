@@ -34,7 +34,7 @@ const std::map<std::string, Folders, std::less<>> kMayInclude = {
     {"src",
      {"io", "optimization", "learning", "gearbox", "actuator", "dynamics", "robot", "simulation",
       "hopper", "identification"}},
-    {"python", {"io", "actuator", "src"}},
+    {"python", {"io", "optimization", "actuator", "hopper", "src"}},
 };
 
 /// The rooms of a folder, and which of its other rooms the files of each may include. What lies

@@ -2,7 +2,9 @@
 """Reports with attributes, and the calls beside the first ten. Oracles: what the program prints;
 the closed form of the knee, whose line falls to 1536 (1 - 9.1 / 10.5) = 204.8 Nm at 9.1 rad/s."""
 
+import copy
 import importlib.util
+import pickle
 import unittest
 
 import numpy as np
@@ -52,6 +54,24 @@ class Results(unittest.TestCase):
         np.testing.assert_allclose(clipped.detach().numpy(), [204.8, -204.8], rtol=1e-6)
         clipped.sum().backward()
         np.testing.assert_allclose(speed.grad.numpy(), [-1536 / 10.5] * 2, rtol=1e-6)
+
+    def test_clip_refuses_arrays_of_two_libraries(self):
+        foreign = type("Tensor", (), {"__module__": "torch"})()
+        with self.assertRaisesRegex(tw.Refusal, "speed_rad_s: must be of the library of torque_Nm"):
+            tw.actuator(program.KNEE).clip(foreign, 9.1)
+
+    def test_actuators_are_copied_and_go_to_other_processes(self):
+        knee = tw.actuator(program.KNEE)
+        knee.clip(1.0, 0.0)
+        for other in (copy.deepcopy(knee), pickle.loads(pickle.dumps(knee))):
+            self.assertAlmostEqual(float(other.clip(500.0, 9.1)), 204.8, places=6)
+
+    def test_flips_without_a_file_hold_their_motion(self):
+        heard = []
+        report = tw.flip("specs/robot/hopper.json", task="jump", progress=heard.append)
+        self.assertEqual(report.status, "planned")
+        self.assertTrue(heard)
+        self.assertEqual(tw.hopper_check("specs/robot/hopper.json", report.motion).verdict, "pass")
 
     def test_are_those_of_the_program(self):
         problem = "specs/gearbox/d151_knee.json"

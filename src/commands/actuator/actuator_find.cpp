@@ -21,6 +21,7 @@ namespace {
 
 struct FindOptions {
   std::vector<std::string> needs;
+  std::optional<double> lever_m;
   std::optional<double> continuous_Nm;
   std::optional<double> mass_below_kg;
   std::string ratios;
@@ -32,7 +33,7 @@ struct FindOptions {
 actuator::Wanted wanted_of(const FindOptions& options) {
   actuator::Wanted wanted;
   for (const std::string& text : options.needs) {
-    wanted.needs.push_back(read_need("--need", text));
+    wanted.needs.push_back(read_need("--need", text, options.lever_m));
     if (wanted.needs.back().torque_Nm == 0.0) {
       io::refuse("--need", "\"" + text + "\" asks for no torque: every drive has it");
     }
@@ -85,10 +86,13 @@ void add_find_command(command_line::Command& actuator) {
   command_line::Command command =
       actuator.add_command("find", "Find the drives that have a torque at a speed");
   command
-      .add_option("--need", options->needs,
-                  "TORQUE@SPEED at the joint in Nm and rad/s, at the peak; several with commas")
+      .add_option(
+          "--need", options->needs,
+          "TORQUE@SPEED at the joint in Nm and rad/s, or with units, 100@95rpm, at the peak; "
+          "several with commas")
       .separated_by_commas()
       .required();
+  add_lever(command, options->lever_m);
   command.add_option("--continuous", options->continuous_Nm, "Torque that must last at rest, in Nm")
       .otherwise("none is asked for")
       .between(1e-3, 1e6);

@@ -11,6 +11,7 @@
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/search/search.hpp"
+#include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/synthesis_defaults_spec.hpp"
 #include "gearbox/verification/verification_json.hpp"
 #include "io/faults/refusal.hpp"
@@ -24,6 +25,7 @@
 #include "src/report/gearbox/gearbox_text.hpp"
 #include "src/report/gearbox/proof_text.hpp"
 #include "src/report/parts/progress_line.hpp"
+#include "src/report/parts/shell_word.hpp"
 #include "src/standard_output.hpp"
 #include "src/window_text.hpp"
 
@@ -95,7 +97,7 @@ OptimizeAnswer compute(const OptimizeRequest& request, const ReadProblem& inputs
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   answer.json = optimization_json(request, inputs, answer.found, seconds.count());
-  answer.text = report::optimization_text(inputs.problem, answer.found);
+  answer.text = report::optimization_text(inputs.problem, answer.found, request.all);
   if (request.timing) answer.text += fmt::format("Search time: {:.4f} s\n", seconds.count());
   if (request.verify) {
     catch_interrupt();  // what ended the search does not end the check
@@ -108,9 +110,23 @@ OptimizeAnswer compute(const OptimizeRequest& request, const ReadProblem& inputs
   return answer;
 }
 
-void write(const OptimizeRequest& request, const OptimizeAnswer& answer) {
+/// What one does with the screen; nothing where all was asked for, or there is no design.
+std::string next_line(const OptimizeRequest& request, const gearbox::Problem& problem,
+                      const OptimizeAnswer& answer) {
+  if (request.all || answer.found.designs.empty()) return "";
+  std::string more = problem.steel ? "" : std::string(" --steel ") + gearbox::kAssumedSteel;
+  if (problem.face_width_mm.empty()) more += " --face-width MM";
+  if (!problem.load_output_torque_Nm) more += " --torque NM";
+  return fmt::format(
+      "next: torquewright gearbox optimize {} --all; -o RESULT.json, then torquewright gearbox "
+      "strength RESULT.json{}\n",
+      report::shell_word(request.problem_file), more);
+}
+
+void write(const OptimizeRequest& request, const gearbox::Problem& problem,
+           const OptimizeAnswer& answer) {
   write_outputs(request.outputs, answer.json, answer.drawing,
-                !request.json  ? for_window(answer.text)
+                !request.json  ? for_window(answer.text + next_line(request, problem, answer))
                 : answer.check ? with_verdict(answer.json, *answer.check)
                                : answer.json);
 }
@@ -132,11 +148,12 @@ ExitCode exit_code_of(const OptimizeAnswer& answer) {
 ExitCode run_optimize(const OptimizeRequest& request) {
   const ReadProblem inputs = read(request);
   if (inputs.problem.synthesis) {
+    if (request.all) io::refuse("--all", "is of a search without synthesis, which prints all");
     catch_interrupt();
     return run_synthesis(request, inputs, end_of_search(request));
   }
   const OptimizeAnswer answer = compute(request, inputs);
-  write(request, answer);
+  write(request, inputs.problem, answer);
   return exit_code_of(answer);
 }
 

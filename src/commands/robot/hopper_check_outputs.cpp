@@ -14,8 +14,10 @@
 #include "src/commands/robot/hopper_check_json.hpp"
 #include "src/options/output_files.hpp"
 #include "src/report/parts/gnuplot.hpp"
+#include "src/report/parts/shell_word.hpp"
 #include "src/report/robot/hopper_html.hpp"
 #include "src/report/robot/hopper_plots.hpp"
+#include "src/report/robot/hopper_screen.hpp"
 #include "src/report/robot/hopper_text.hpp"
 #include "src/report/robot/momentum_plot.hpp"
 #include "src/report/robot/stick_figures.hpp"
@@ -26,10 +28,25 @@
 namespace torquewright::cli {
 namespace {
 
-std::string hopper_check_text(const HopperCheckInputs& inputs, const HopperCheckFound& found) {
-  std::string text = report::hopper_text(inputs.robot.robot, found.motion, found.report);
-  if (found.candidates.empty()) return text;
-  text += report::candidates_text(inputs.robot.robot, found.candidates);
+/// What one does with the answer.
+std::string next_line(const HopperCheckRequest& request, actuator::Verdict verdict) {
+  const std::string files =
+      report::shell_word(request.robot_file) + " " + report::shell_word(request.trajectory_file);
+  if (verdict == actuator::Verdict::kPass) {
+    return fmt::format("next: torquewright hopper replay {}\n", files);
+  }
+  return fmt::format("next: torquewright hopper check {} --report check.html\n", files);
+}
+
+std::string hopper_check_text(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
+                              const HopperCheckFound& found) {
+  const hopper::Robot& robot = inputs.robot.robot;
+  std::string text = request.all ? report::hopper_text(robot, found.motion, found.report)
+                                 : report::hopper_screen(robot, found.motion, found.report);
+  if (found.candidates.empty()) {
+    return request.all ? text : text + next_line(request, found.report.check.verdict);
+  }
+  text += report::candidates_text(robot, found.candidates);
   for (const std::string& sentence : inputs.candidates.left_out) {
     text += fmt::format("not tried: {}\n", sentence);
   }
@@ -108,8 +125,9 @@ void write_outputs(const HopperCheckRequest& request, const HopperCheckInputs& i
                                                     found.report, hopper::SeriesDetail::kDrives);
     files.push_back({request.series_file, hopper::series_csv(series)});
   }
-  deliver_report({hopper_check_json(request, inputs, found), hopper_check_text(inputs, found)},
-                 request.output_file, request.json, std::move(files));
+  deliver_report(
+      {hopper_check_json(request, inputs, found), hopper_check_text(request, inputs, found)},
+      request.output_file, request.json, std::move(files));
 }
 
 }  // namespace torquewright::cli

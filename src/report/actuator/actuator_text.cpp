@@ -34,7 +34,7 @@ std::string remedy(const char* what, const std::optional<double>& value, const c
 
 std::string need_text(const Actuator& actuator, const Need& need, const NeedAnswer& answer) {
   std::string text =
-      fmt::format("{} Nm at {} rad/s: {}; {}", need.torque_Nm, need.speed_rad_s,
+      fmt::format("{:.6g} Nm at {:.6g} rad/s: {}; {}", need.torque_Nm, need.speed_rad_s,
                   answer.is_reached ? "reached" : "not reached", range_sentence(answer.range));
   if (answer.is_reached) {
     text += fmt::format("; margin {:.6g} Nm to {}\n", answer.margin_Nm, name_of(answer.limiter));

@@ -4,6 +4,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/topologies/short_loss_form.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "gearbox/train_parts.hpp"
@@ -220,6 +225,27 @@ std::string constraints_text(const DesignReport& report) {
   return text;
 }
 
+/// Of the constraints that could have been missed, those that leave the least share of their limit.
+std::string tightest_text(const DesignReport& report) {
+  constexpr std::size_t kShown = 3;
+  std::vector<const ConstraintReport*> spare;
+  for (const ConstraintReport& constraint : report.constraints) {
+    if (constraint.margin > 0.0 && constraint.limit != 0.0) spare.push_back(&constraint);
+  }
+  const auto share = [](const ConstraintReport* constraint) {
+    return constraint->margin / std::abs(constraint->limit);
+  };
+  std::stable_sort(spare.begin(), spare.end(), [&share](const auto* one, const auto* other) {
+    return share(one) < share(other);
+  });
+  spare.resize(std::min(kShown, spare.size()));
+  std::string text;
+  for (const ConstraintReport* constraint : spare) {
+    text += line(text.empty() ? "tightest" : "", constraint->sentence);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string with_unit(double value, const std::string& unit) {
@@ -240,6 +266,11 @@ std::string design_summary(const Problem& problem, const DesignReport& report) {
   text += line("reflected inertia", inertia_text(report));
   if (report.input_torque_Nm) text += torque_text(problem, report);
   return text + line("backlash", backlash_text(report));
+}
+
+std::string design_screen(const Problem& problem, const DesignReport& report) {
+  return design_summary(problem, report) +
+         line("strength", strength_statement(problem, report.design)) + tightest_text(report);
 }
 
 std::string design_text(const Problem& problem, const DesignReport& report) {

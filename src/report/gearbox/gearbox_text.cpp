@@ -132,7 +132,8 @@ std::string rank_text(const Problem& problem, const DesignReport& report,
 
 }  // namespace
 
-std::string optimization_text(const Problem& problem, const DesignSearchResult& result) {
+std::string optimization_text(const Problem& problem, const DesignSearchResult& result,
+                              bool has_all) {
   if (result.status == DesignSearchStatus::kInfeasible) {
     return infeasible_text(problem, result) + assumed_text(problem) + proof_text(result);
   }
@@ -140,22 +141,29 @@ std::string optimization_text(const Problem& problem, const DesignSearchResult& 
                          ? "optimal: proved, nothing is better.\n"
                          : "limit: the search was ended; what follows is the best so far.\n";
   text += fmt::format("Held fixed: {}.\n", held_fixed(problem));
-  for (const std::string& sentence : not_asked(problem, result.designs)) {
-    text += "Not asked: " + sentence + "\n";
+  if (has_all) {
+    for (const std::string& sentence : not_asked(problem, result.designs)) {
+      text += "Not asked: " + sentence + "\n";
+    }
   }
   const Topology& topology = *find_topology(problem.topology);
   for (std::size_t i = 0; i < result.designs.size(); ++i) {
     DesignReport report = topology.evaluate(problem, result.designs[i]);
     report.objective = result.objectives[i];
     text += fmt::format("{}. ", i + 1);
-    text += i == 0 ? design_text(problem, report) : design_summary(problem, report);
+    text += i > 0     ? design_summary(problem, report)
+            : has_all ? design_text(problem, report)
+                      : design_screen(problem, report);
   }
   for (const Design& tie : result.ties) {
     text += fmt::format("Just as good as the last: {} with {} planets, module {:g} mm.\n",
                         fmt::join(tie.teeth, "/"), tie.planet_count, io::nearest(tie.module_mm));
   }
-  if (result.bound) text += fmt::format("Bound that nothing beats: {:.8g}\n", *result.bound);
-  return text + assumed_text(problem) + proof_text(result);
+  const bool is_open = result.status == DesignSearchStatus::kLimit;
+  if (result.bound && (has_all || is_open)) {
+    text += fmt::format("Bound that nothing beats: {:.8g}\n", *result.bound);
+  }
+  return text + assumed_text(problem) + (has_all ? proof_text(result) : "");
 }
 
 std::string evaluation_text(const Problem& problem, const DesignReport& report,

@@ -9,9 +9,10 @@
 
 namespace torquewright::report {
 
-/// What `gearbox optimize` prints: status, designs, proof; or the conflict and what would help.
+/// What `gearbox optimize` prints, on one screen: status and designs; or the conflict and what
+/// would help. With `has_all` tables, constraints and proof too.
 std::string optimization_text(const gearbox::Problem& problem,
-                              const gearbox::DesignSearchResult& result);
+                              const gearbox::DesignSearchResult& result, bool has_all);
 
 /// What `gearbox evaluate` prints: everything about one design and where it stands.
 std::string evaluation_text(const gearbox::Problem& problem, const gearbox::DesignReport& report,

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/text/number_text.hpp"
 #include "io/text/one_line.hpp"
 #include "io/text/time_text.hpp"
 #include "src/report/actuator/check_text.hpp"
@@ -15,6 +16,9 @@ namespace torquewright::report {
 namespace {
 
 using namespace hopper;
+
+/// Of what is computed in units of SI for a robot: what is below its twelfth digit is rounding.
+constexpr double kOne = 1.0;
 
 std::string motion_lines(const Robot& robot, const Motion& motion, const HopperReport& report) {
   std::string text = fmt::format("  robot    {}, {:.4g} s of motion in {} samples\n", robot.name,
@@ -25,25 +29,29 @@ std::string motion_lines(const Robot& robot, const Motion& motion, const HopperR
     text += fmt::format(
         "  physics  {:.3g} N and {:.3g} Nm at most are left unexplained over {:g} ms (limits "
         "{:.3g} N, {:.3g} Nm)\n",
-        residual.force.mean, residual.moment.mean, 1e3 * residual.window_s, residual.force.limit,
-        residual.moment.limit);
+        io::known(residual.force.mean, residual.force.limit),
+        io::known(residual.moment.mean, residual.moment.limit), 1e3 * residual.window_s,
+        residual.force.limit, residual.moment.limit);
   }
   for (const Flight& flight : report.flights) {
     text += fmt::format(
         "  flight   {} to {} s, {:.3g} m up; CAM {:.4g} Nm s (drift {:.1g}); CAV {:.4g} "
         "rad/s at take-off, {:.4g} at most, {:.4g} at the end\n",
         io::time_text(flight.from_s, 4), io::time_text(flight.until_s, 4), flight.rise_m,
-        flight.angular_momentum_Nm_s, flight.angular_momentum_drift_Nm_s, flight.take_off_rad_s,
-        flight.peak_rad_s, flight.touch_down_rad_s);
+        io::known(flight.angular_momentum_Nm_s, kOne),
+        io::known(flight.angular_momentum_drift_Nm_s, kOne), io::known(flight.take_off_rad_s, kOne),
+        io::known(flight.peak_rad_s, kOne), io::known(flight.touch_down_rad_s, kOne));
   }
   for (const Jolt& jolt : report.demand.jolts) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     for (Eigen::Index i = 0; i + 2 < jolt.impulses_N_s.size(); i += 3) {
       sum += jolt.impulses_N_s.segment<3>(i);
     }
+    const auto known = [&sum](double part) { return io::known(part, sum.norm()); };
     text += fmt::format("  impact   t = {} s: impulse ({:.3g}, {:.3g}, {:.3g}) N s, {:.3g} J {}\n",
-                        io::time_text(jolt.time_s, 4), sum.x(), sum.y(), sum.z(),
-                        std::abs(jolt.lost_energy_J), jolt.lost_energy_J < 0.0 ? "gained" : "lost");
+                        io::time_text(jolt.time_s, 4), known(sum.x()), known(sum.y()),
+                        known(sum.z()), std::abs(io::known(jolt.lost_energy_J, kOne)),
+                        jolt.lost_energy_J < 0.0 ? "gained" : "lost");
   }
   return text;
 }
@@ -117,10 +125,14 @@ std::string candidates_text(const Robot& robot, const std::vector<CandidateResul
   return text;
 }
 
+std::string motion_text(const Robot& robot, const Motion& motion, const HopperReport& report) {
+  return fmt::format("{}: {}\n", io::name_in_text(motion.file),
+                     actuator::name_of(report.check.verdict)) +
+         motion_lines(robot, motion, report);
+}
+
 std::string hopper_text(const Robot& robot, const Motion& motion, const HopperReport& report) {
-  std::string text = fmt::format("{}: {}\n", io::name_in_text(motion.file),
-                                 actuator::name_of(report.check.verdict));
-  text += motion_lines(robot, motion, report);
+  std::string text = motion_text(robot, motion, report);
   for (std::size_t i = 0; i < report.check.drives.size(); ++i) {
     text += drive_text(report.check.drives[i]);
     if (i < report.transmission_loads.size()) text += load_lines(report, i);

@@ -7,7 +7,11 @@
 
 namespace torquewright::report {
 
-/// What `hopper check` says: the verdict, the motion as a whole, each drive, the findings.
+/// The verdict, and the motion as a whole.
+std::string motion_text(const hopper::Robot& robot, const hopper::Motion& motion,
+                        const hopper::HopperReport& report);
+
+/// All that `hopper check` can say: the verdict, the motion as a whole, each drive, the findings.
 std::string hopper_text(const hopper::Robot& robot, const hopper::Motion& motion,
                         const hopper::HopperReport& report);
 

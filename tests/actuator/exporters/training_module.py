@@ -223,6 +223,10 @@ def numbers(knee):
     half = knee.clip(torch.tensor(torques).bfloat16(), torch.tensor(whole).bfloat16())
     facts["half_torch"] = [str(half.dtype), half.tolist()]
     facts["nan_torch"] = [repr(one) for one in knee.clip(torch.tensor(torque), torch.tensor(speed)).tolist()]
+    single, double = torch.tensor(torques).float(), torch.tensor(whole).double()
+    facts["mixed_torch"] = [str(knee.clip(single, double).dtype), str(knee.clip(double, single).dtype)]
+    facts["number_torch"] = [float(knee.clip(sign * 1000.0, double)[of]) for of, sign in ((0, 1), (1, -1))]
+    facts["libraries"] = refusal(lambda: knee.clip(torques * 1.0, double))
     meta = torch.zeros(2, device="meta")
     facts["devices"] = refusal(lambda: knee.clip(torch.zeros(2), meta))
     facts["onnx"] = onnx_nodes(knee)

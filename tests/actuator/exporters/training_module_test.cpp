@@ -287,6 +287,11 @@ TEST_F(TrainingModule, TakesNumbersOfEveryKind) {
   EXPECT_EQ(numbers().at("half_torch")[0], "torch.bfloat16");
   expect(numbers().at("half_torch")[1], 0.5);  // bfloat16's own step there is 1
   EXPECT_EQ(numbers().at("nan_torch")[1], "nan");
+  EXPECT_EQ(numbers().at("mixed_torch"), (json{"torch.float64", "torch.float64"}));
+  expect(numbers().at("number_torch"), 1e-9);
+  EXPECT_EQ(
+      numbers().at("libraries"),
+      "ValueError: knee_D151: torque is no tensor, velocity is one; torch.as_tensor makes one");
   EXPECT_EQ(numbers().at("devices"),
             "ValueError: knee_D151: torque is on cpu, velocity on meta; move one of them");
 }

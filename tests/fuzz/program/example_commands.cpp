@@ -9,6 +9,7 @@ namespace {
 const char* const kLines = R"(
 gearbox optimize specs/gearbox/d151_knee.json --verify --draw knee.svg -o result.json
 gearbox optimize specs/gearbox/d110a_ankle.json --top 3 --json
+gearbox optimize specs/gearbox/d110a_ankle.json --all
 gearbox optimize specs/gearbox/knee_synthesis.json --max-nodes 300 -o result.json
 gearbox optimize specs/gearbox/finger_joint.json --relaxation never --max-nodes 200
 gearbox optimize specs/gearbox/knee_choices.json --time-limit 2 --top 2 -o result.json
@@ -29,6 +30,8 @@ actuator mor specs/actuator/mini_cheetah_knee.json
 actuator mor specs/actuator/d151_knee.json --table --side motor
 actuator mor specs/actuator/d151_knee.json --need 200@10 --ratio 4:40 --json
 actuator mor specs/actuator/d151_knee.json --need 100@5
+actuator mor specs/actuator/d151_knee.json --need 2kN@0.3m/s --lever 0.1
+actuator find --need 20N@95rpm --lever 0.2
 actuator mor tests/fuzz/corpus/everything.json --need 200@10
 actuator mor specs/actuator/d110a_ankle.json --ratio 4:40
 actuator mor specs/actuator/d151_knee.json --compare specs/actuator/d110a_ankle.json --json
@@ -49,7 +52,7 @@ actuator check specs/trajectory/knee_extension.csv --joint knee=specs/actuator/d
 actuator check specs/trajectory/knee_extension.csv --joint knee=specs/actuator/d151_knee.json --repeat 10 --pause 2 --bus-voltage 50 --json
 actuator check specs/trajectory/bench_lift.csv --joint knee=specs/log/bench_actuator.json --torque-includes-inertia --from 0.1 --until 0.8
 actuator check specs/trajectory/bench_lift.csv --joint knee=specs/log/bench_actuator.json --column knee_torque_Nm=knee.torque:Nm*1.1 --torque-excludes-inertia
-hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv
+hopper check specs/robot/hopper.json specs/trajectory/hopper_flip.csv --all
 hopper check specs/robot/hopper.json tests/fuzz/corpus/hopper_leap.csv --json --load-window 0.02 --left-out-share 0.02 --repeat 3 --pause 1 --ground-height 0 --contact-height 0.002
 hopper check specs/robot/hopper.json tests/fuzz/corpus/hopper_leap.csv --series flip.csv -o report.json --report flip.html
 hopper check specs/robot/hopper.json tests/fuzz/corpus/hopper_leap.csv --candidates specs/actuator --threads 2 --ratios 8:9 --figures flip.svg

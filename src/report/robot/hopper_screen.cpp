@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/report/robot/hopper_screen.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "src/report/robot/hopper_text.hpp"
+
+namespace torquewright::report {
+namespace {
+
+using namespace actuator;
+
+constexpr std::size_t kShownFindings = 3;
+
+/// The reading that leaves less, where it is open whether the torques hold the rotor's.
+const CheckedInterpretation& worse_of(const DriveReport& drive) {
+  const bool is_other =
+      drive.with_inertia && drive.with_inertia->margin_Nm < drive.interpretation.margin_Nm;
+  return is_other ? *drive.with_inertia : drive.interpretation;
+}
+
+std::string drive_line(const DriveReport& drive, std::size_t width) {
+  if (!drive.has_torque) {
+    return fmt::format("  {:<{}} {:>10} {:>10} {:>10}  {}\n", drive.name, width, "-", "-", "-",
+                       name_of(drive.verdict));
+  }
+  const CheckedInterpretation& read = worse_of(drive);
+  const double share = 100.0 * static_cast<double>(read.clipped_samples) /
+                       static_cast<double>(std::max<std::size_t>(1, drive.samples));
+  return fmt::format("  {:<{}} {:>10.4g} {:>10.4g} {:>10.3g}  {}\n", drive.name, width,
+                     read.peak_torque_Nm, read.margin_Nm, share, name_of(drive.verdict));
+}
+
+std::string drive_table(const CheckReport& check) {
+  std::size_t width = 5;
+  for (const DriveReport& drive : check.drives) width = std::max(width, drive.name.size());
+  std::string text = fmt::format("\n  {:<{}} {:>10} {:>10} {:>10}  {}\n", "drive", width, "peak Nm",
+                                 "margin Nm", "outside %", "verdict");
+  for (const DriveReport& drive : check.drives) text += drive_line(drive, width);
+  return text;
+}
+
+/// What the regions leave out, once for all drives that share it.
+std::size_t left_out_count(const CheckReport& check) {
+  std::set<std::string> sentences;
+  for (const DriveReport& drive : check.drives) {
+    sentences.insert(drive.left_out.begin(), drive.left_out.end());
+  }
+  return sentences.size();
+}
+
+/// Violations first, then warnings; notes are counted.
+std::string worst_findings(const CheckReport& check) {
+  std::vector<const Finding*> weighing;
+  for (const Severity severity : {Severity::kViolation, Severity::kWarning}) {
+    for (const Finding& finding : check.findings) {
+      if (finding.severity == severity) weighing.push_back(&finding);
+    }
+  }
+  std::string text = weighing.empty() ? "" : "\n";
+  const std::size_t shown = std::min(kShownFindings, weighing.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    text += fmt::format("{} [{}] {}\n", name_of(weighing[i]->severity), weighing[i]->rule,
+                        weighing[i]->sentence);
+  }
+  const std::size_t more = weighing.size() - shown;
+  const std::size_t notes = check.findings.size() - weighing.size();
+  if (more > 0) text += fmt::format("and {} more violations or warnings (--all)\n", more);
+  const std::size_t left_out = left_out_count(check);
+  if (notes + left_out > 0) {
+    text += fmt::format(
+        "\n{} notes, on what is assumed and derived too, and {} things that are left out: --all\n",
+        notes, left_out);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string hopper_screen(const hopper::Robot& robot, const hopper::Motion& motion,
+                          const hopper::HopperReport& report) {
+  return motion_text(robot, motion, report) + drive_table(report.check) +
+         worst_findings(report.check);
+}
+
+}  // namespace torquewright::report
