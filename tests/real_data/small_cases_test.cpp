@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/workplace.hpp"
@@ -75,6 +76,27 @@ TEST_F(SmallCases, TwoNoisyPositionBesideACleanVelocity) {
   expect_named(identified("2", "rig.json"), {{"gravity_imbalance", "amplitude_Nm", 3.0},
                                              {"coulomb_friction", "coulomb_Nm", 2.4},
                                              {"viscous_friction", "viscous_Nm_s_rad", 2.9}});
+}
+
+// Beside Coulomb's friction a power of the speed; a viscous drag in Coulomb's place, with another
+// power, leaves as much.
+TEST_F(SmallCases, FiveDragThatFlattensWithSpeed) {
+  const json report = identified("5", "rig.json");
+  const std::map<std::string, std::vector<Truth>> truths = {
+      {"coulomb_friction", {{"coulomb_friction", "coulomb_Nm", 14.5}}},
+      {"power_law_drag",
+       {{"power_law_drag", "coefficient_Nm", 20.9}, {"power_law_drag", "exponent", 0.7}}}};
+  ASSERT_TRUE(report.contains("effects_added"));
+  EXPECT_EQ(report["effects_added"].size(), truths.size());
+  for (const json& effect : report["effects_added"]) {
+    const auto truth = truths.find(effect["effect"].get<std::string>());
+    ASSERT_NE(truth, truths.end()) << effect["effect"];
+    for (const Truth& each : truth->second) {
+      EXPECT_NEAR(effect["parameters"][each.parameter].get<double>(), each.value,
+                  kErrors * effect["standard_error"][each.parameter].get<double>())
+          << each.parameter;
+    }
+  }
 }
 
 TEST_F(SmallCases, EightRecorderThatPauses) {
