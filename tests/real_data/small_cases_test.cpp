@@ -78,6 +78,26 @@ TEST_F(SmallCases, TwoNoisyPositionBesideACleanVelocity) {
                                              {"viscous_friction", "viscous_Nm_s_rad", 2.9}});
 }
 
+// The same without the velocity, 0.1 A of noise for 0.01: which drag it is no longer shows, and
+// what is certain is so.
+TEST_F(SmallCases, TwoWithoutTheVelocity) {
+  const json report = identified("2", "rig_nov.json");
+  const std::map<std::string, Truth> truths = {
+      {"gravity_imbalance", {"gravity_imbalance", "amplitude_Nm", 3.0}},
+      {"coulomb_friction", {"coulomb_friction", "coulomb_Nm", 2.4}},
+      {"viscous_friction", {"viscous_friction", "viscous_Nm_s_rad", 2.9}}};
+  int certain = 0;
+  for (const json& effect : report["effects_added"]) {
+    if (effect["certain"] == false) continue;
+    const auto truth = truths.find(effect["effect"].get<std::string>());
+    ASSERT_NE(truth, truths.end()) << effect["effect"];
+    EXPECT_NEAR(effect["parameters"][truth->second.parameter].get<double>(), truth->second.value,
+                kErrors * effect["standard_error"][truth->second.parameter].get<double>());
+    ++certain;
+  }
+  EXPECT_GE(certain, 2);
+}
+
 // Beside Coulomb's friction a power of the speed; a viscous drag in Coulomb's place, with another
 // power, leaves as much.
 TEST_F(SmallCases, FiveDragThatFlattensWithSpeed) {
