@@ -139,15 +139,31 @@ void set_drive(ChannelGrid& grid, const Bench& bench, const NoiseLevels& levels,
   }
 }
 
-/// Below the signals' own cut-off; and, where the motion is not imposed and may stick for a moment
+/// The speed by which direction and rest are told. In a band narrower than the signals' own a rest
+/// lasts longer until it shows.
+struct SeenSpeed {
+  std::vector<double> values_rad_s;
+  double cutoff_Hz = 0.0;
+  double longer = 1.0;  ///< How many times.
+};
+
+SeenSpeed seen_speed(const ChannelGrid& grid, const JointMotion& motion, const RawMotion& raw,
+                     double cutoff_Hz) {
+  const double seen_Hz = grid.is_map() ? cutoff_Hz : raw.seen_below_Hz(cutoff_Hz);
+  if (seen_Hz == cutoff_Hz) return {motion.velocity_rad_s, cutoff_Hz, 1.0};
+  return {raw.speed_below(seen_Hz), seen_Hz, cutoff_Hz / seen_Hz};
+}
+
+/// Below the seen speed's cut-off; and, where the motion is not imposed and may stick for a moment
 /// as it reverses, in a wider band, in which such a rest is not yet smeared.
-std::vector<std::uint8_t> rests(const ChannelGrid& grid, const Bench& bench,
-                                const JointMotion& motion, const RawMotion& raw, double play_rad,
-                                double cutoff_Hz) {
-  std::vector<std::uint8_t> rest = rest_mask(motion.velocity_rad_s, play_rad, grid.step_s());
+std::vector<std::uint8_t> rests(const ChannelGrid& grid, const Bench& bench, const SeenSpeed& seen,
+                                const RawMotion& raw, double play_rad) {
+  std::vector<std::uint8_t> rest =
+      rest_mask(seen.values_rad_s, play_rad, grid.step_s(), seen.longer * kStandstill_s);
   if (raw.values.empty() || bench.load_side != LoadSide::kModel) return rest;
-  const std::vector<double> wide = raw.speed_below(kStickBand * cutoff_Hz);
-  const std::vector<std::uint8_t> sticks = rest_mask(wide, play_rad, grid.step_s(), kLeastStick_s);
+  const std::vector<double> wide = raw.speed_below(kStickBand * seen.cutoff_Hz);
+  const std::vector<std::uint8_t> sticks =
+      rest_mask(wide, play_rad, grid.step_s(), seen.longer * kLeastStick_s);
   for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = rest[i] != 0 || sticks[i] != 0;
   return rest;
 }
@@ -164,8 +180,10 @@ JointMotion read_own_motion(ChannelGrid& grid, const Bench& bench, const NoiseLe
 }
 
 /// How far the output may seem to move by noise alone within the time that makes a rest.
-double play_of(const RawMotion& raw, double cutoff_Hz) {
-  const double moved = raw.is_speed ? raw.speed_noise(cutoff_Hz) * kStandstill_s : raw.deviation;
+double play_of(const RawMotion& raw, const SeenSpeed& seen) {
+  const bool is_by_speed = raw.is_speed || seen.longer > 1.0;
+  const double moved =
+      is_by_speed ? raw.speed_noise(seen.cutoff_Hz) * kStandstill_s : raw.deviation;
   return kPlayDeviations * moved;
 }
 
@@ -224,9 +242,10 @@ Signals raw_signals(ChannelGrid& grid, const Bench& bench, const NoiseLevels& le
   const actuator::Actuator& actuator = bench.actuator();
   RawMotion raw;
   const JointMotion motion = read_own_motion(grid, bench, levels, raw);
-  const std::vector<double> direction =
-      grid.is_map() ? signs(motion.velocity_rad_s)
-                    : directions(motion.velocity_rad_s, raw, options.cutoff_Hz);
+  const SeenSpeed seen = seen_speed(grid, motion, raw, options.cutoff_Hz);
+  const std::vector<double> direction = grid.is_map()
+                                            ? signs(motion.velocity_rad_s)
+                                            : directions(seen.values_rad_s, raw, seen.cutoff_Hz);
   Signals signals;
   signals.pole_pairs = actuator.motor.pole_pairs;
   signals.is_steady = bench.rig->load.is_steady;
@@ -246,8 +265,7 @@ Signals raw_signals(ChannelGrid& grid, const Bench& bench, const NoiseLevels& le
     // What friction holds at rest is anything up to its level.
     for (const double each : direction) rest.push_back(each == 0.0);
   }
-  if (!grid.is_map())
-    rest = rests(grid, bench, motion, raw, play_of(raw, options.cutoff_Hz), options.cutoff_Hz);
+  if (!grid.is_map()) rest = rests(grid, bench, seen, raw, play_of(raw, seen));
   set_usable(grid, rest, signals);
   const bool is_known =
       bench.drive == Drive::kCurrent || bench.drive == Drive::kVoltage ||

@@ -21,6 +21,7 @@
 #include "identification/selection/models_within_noise.hpp"
 #include "identification/selection/named.hpp"
 #include "identification/selection/one_level.hpp"
+#include "identification/selection/other_models.hpp"
 #include "identification/selection/position_curve.hpp"
 #include "identification/selection/run_results.hpp"
 #include "identification/selection/same_rig.hpp"
@@ -369,6 +370,8 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   result.is_noise_after = leaves_noise(search, fitter, kept, result.structure_after);
   name_members(fitter, found, rules, result);
   append_groups(bench, equation, found, search.wholes(kept), result);
+  cover_other_models(search.as_good_as(kept), kept, result);
+  cover_other_models(search.with_what_is_too_small(kept), kept, result);
   append_doubts(result);
   doubt_what_goes_along(rules.unexplained_floors, result);
   doubt_one_level(rows, result);

@@ -295,7 +295,10 @@ ModelFitter::Point ModelFitter::descended(const EffectSet& members,
     }
     const Eigen::VectorXd moved = there.coordinates - here.coordinates;
     const double promised = -moved.dot(2.0 * descent + (here.net_power + held) * moved);
-    if (std::abs(fall - promised) < kStraight * (std::abs(there.loss) + there.noise_loss)) {
+    // What did nothing here, as an exponent beside a coefficient of zero, may do something there.
+    const bool is_silent = (here.power.diagonal().array() <= 0.0).any();
+    const double bent = std::abs(fall - promised);
+    if (!is_silent && bent < kStraight * (std::abs(there.loss) + there.noise_loss)) {
       there.slopes = std::move(here.slopes);
       there.noise_slopes = std::move(here.noise_slopes);
       add_products(there);

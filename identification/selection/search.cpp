@@ -201,9 +201,9 @@ bool Search::earns(const ModelFit& less, const ModelFit& more) const {
   // How small a name may be is not asked of another law in the place of one: which of the two it
   // is decides whether the name is right.
   const bool is_another_law = !less.members.empty() && more.members.size() <= less.members.size();
-  const double least =
-      std::max({rules_.least_floors * floor_rms(more), rules_.least_of_largest * largest,
-                is_another_law ? 0.0 : rules_.least_change});
+  const double least_name =
+      is_another_law ? 0.0 : std::max(rules_.least_of_largest * largest, rules_.least_change);
+  const double least = std::max(rules_.least_floors * floor_rms(more), least_name);
   const double left = std::max(0.0, less.unseen_loss) + less.noise_loss;
   const double floors2 = rules_.unexplained_floors * rules_.unexplained_floors;
   const bool is_model_error = more.unseen_loss + more.noise_loss > floors2 * more.noise_loss;
@@ -290,15 +290,13 @@ const ModelFit* Search::smaller(const ModelFit& model) {
 }
 
 /// The model with a law in the place of a member that it contains, fitted from each of the law's
-/// starts, where more than noise is left; null if none earns its place over the member.
+/// starts; null if none earns its place over the member.
 const ModelFit* Search::generalised(const ModelFit& model) {
-  const double floors2 = rules_.explained_floors * rules_.explained_floors;
-  if (unseen_squares(model) <= floors2 * model.noise_loss) return nullptr;
   const ModelFit* best = nullptr;
   for (std::size_t m = 0; m < model.members.size(); ++m) {
     const ModelFit& less = without(model, m);
     for (const EffectCandidate* each : candidates_) {
-      if (is_wave(*each) || !holds_as_part(*each, *model.members[m])) continue;
+      if (is_wave(*each) || !is_more_than(*each, *model.members[m])) continue;
       for (const std::vector<double>& start : each->starts) {
         Prospect prospect{{each}, {}, 0.0};
         prospect.start.resize(less.coordinates.size() + static_cast<Eigen::Index>(start.size()));
@@ -319,7 +317,7 @@ std::vector<Whole> Search::wholes(const ModelFit& model) {
     const EffectCandidate& part = *model.members[m];
     EffectSet laws;
     for (const EffectCandidate* each : candidates_) {
-      if (!is_wave(*each) && holds_as_part(*each, part)) laws.push_back(each);
+      if (!is_wave(*each) && is_more_than(*each, part)) laws.push_back(each);
     }
     if (laws.empty()) continue;
     const ModelFit& less = without(model, m);
@@ -434,11 +432,32 @@ void Search::take_rivals(const ModelFit& best, Found& found) const {
                          });
     });
   };
-  for (const auto& [key, fit] : fits_) {
-    if (&fit == &best || fit.members.size() > best.members.size() || fit.members.empty()) continue;
-    if (is_more_of_the_same(fit) || is_refuted(fit, best)) continue;
-    found.rivals.push_back(fit);
+  for (const ModelFit* fit : as_good_as(best)) {
+    if (fit != &best && !is_more_of_the_same(*fit)) found.rivals.push_back(*fit);
   }
+}
+
+std::vector<const ModelFit*> Search::as_good_as(const ModelFit& best) const {
+  std::vector<const ModelFit*> models;
+  for (const auto& [key, fit] : fits_) {
+    if (fit.members.empty() || fit.members.size() > best.members.size()) continue;
+    if (!is_refuted(fit, best)) models.push_back(&fit);
+  }
+  return models;
+}
+
+std::vector<const ModelFit*> Search::with_what_is_too_small(const ModelFit& best) const {
+  std::vector<const ModelFit*> models;
+  for (const auto& [key, fit] : fits_) {
+    const bool is_one_more =
+        fit.members.size() == best.members.size() + 1 &&
+        std::all_of(best.members.begin(), best.members.end(), [&](const EffectCandidate* own) {
+          return std::find(fit.members.begin(), fit.members.end(), own) != fit.members.end();
+        });
+    if (!is_one_more || !fit.is_valid || earns(best, fit)) continue;
+    if (compare(fitter_.rows(), best, fit).t > chance_t()) models.push_back(&fit);
+  }
+  return models;
 }
 
 Found Search::nothing() {

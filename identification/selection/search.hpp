@@ -91,6 +91,10 @@ class Search {
   bool is_refuted(const ModelFit& rival, const ModelFit& best) const;
   /// Laws that contain members of the model and leave less, by less than what would name them.
   std::vector<Whole> wholes(const ModelFit& model);
+  /// All models of no more effects that were fitted and are not refuted against it.
+  std::vector<const ModelFit*> as_good_as(const ModelFit& best) const;
+  /// Models with one effect more that helps beyond chance, and is too small for a name.
+  std::vector<const ModelFit*> with_what_is_too_small(const ModelFit& best) const;
   /// The t that noise alone does not reach by any of all that is tried.
   double chance_t() const;
   const SearchRules& rules() const { return rules_; }

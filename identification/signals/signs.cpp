@@ -11,7 +11,6 @@ namespace {
 
 /// Of white noise on x the expected sign is erf(x/(sqrt 2 deviation)); a ramp of the same slope.
 constexpr double kUnsure = 1.2533141373155003;  // sqrt(pi/2)
-constexpr double kBeyondNoise = 4.0;            ///< The same of wide bands: they are asked oftener.
 constexpr double kNear = 1.0;                   ///< Periods of a band's cut-off.
 constexpr double kWider[] = {2.0, 4.0, 8.0};    ///< Times the low-pass's own.
 constexpr double kHighest = 0.45;               ///< Of the sampling rate.

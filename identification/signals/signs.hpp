@@ -6,6 +6,10 @@
 
 namespace torquewright::identification {
 
+/// Standard deviations of its noise beyond which a channel is known in a band of several that are
+/// asked. A choice of ours.
+constexpr double kBeyondNoise = 4.0;
+
 /// A channel in wider bands than that of its low-pass.
 struct Bands {
   /// Returns the channel below a cut-off; empty: no wider band is known.

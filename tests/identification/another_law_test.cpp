@@ -64,6 +64,41 @@ TEST(AnotherLaw, StandsBesideNoFrictionThatIsCoulombs) {
   }
 }
 
+/// Coulomb friction of 0.05 Nm and a drag that grows with the power 0.6 of the speed.
+EquationResult with_bent_drag(double coefficient_Nm) {
+  const MadeBench made;
+  const Log log = made.log([=](const Made& at) {
+    const double drag_Nm = coefficient_Nm * std::pow(std::abs(at.speed_rad_s), 0.6);
+    return -(0.05 + drag_Nm) * made::sign(at.speed_rad_s);
+  });
+  return analyse(made.rig, log, 0, {&made.actuator}, {}).front();
+}
+
+// A line through it leaves little of the whole, which names it all the same.
+TEST(AnotherLaw, OfAPowerOfTheSpeedIsNoLine) {
+  const EquationResult found = with_bent_drag(0.3);
+  const auto bent = std::find_if(found.added.begin(), found.added.end(),
+                                 [](const auto& each) { return each.effect == "power_law_drag"; });
+  ASSERT_NE(bent, found.added.end());
+  const FoundParameters& values = bent->parameters;
+  EXPECT_NEAR(values.value("exponent", NAN), 0.6, kErrors * values.standard_error("exponent"));
+  EXPECT_NEAR(values.value("coefficient_Nm", NAN), 0.3,
+              kErrors * values.standard_error("coefficient_Nm"));
+}
+
+// Where line and power are as good, Coulomb's level goes with the law beside it.
+TEST(AnotherLaw, AsGoodAsTheOneNamedIsInTheErrorsOfWhatStandsBesideIt) {
+  for (const double coefficient_Nm : {0.02, 0.05, 0.1, 0.3}) {
+    const EquationResult found = with_bent_drag(coefficient_Nm);
+    for (const NamedEffect& each : found.added) {
+      if (each.effect != "coulomb_friction") continue;
+      EXPECT_NEAR(each.parameters.value("coulomb_Nm", NAN), 0.05,
+                  kErrors * each.parameters.standard_error("coulomb_Nm"))
+          << coefficient_Nm << ": " << each.evidence;
+    }
+  }
+}
+
 // Of 4.8 Nm rms the tolerance is 4.8 mNm: a ripple of 3.5 mNm rms is nothing, of 7.1 it is one.
 TEST(Tolerance, IsOfWhatThereIsToExplainToo) {
   for (const double amplitude_Nm : {0.005, 0.01}) {
