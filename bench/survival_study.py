@@ -5,16 +5,20 @@ engine, and writes the table of docs/survival.md between its marks. Trials are t
 specs/randomisation/hopper.json, sensor noise included; a plan that is there is taken as it is.
 
     bench/survival_study.py PROGRAM [--trials 60] [--only hop ...] [--controllers lqr weighing]
+                            [--known "" "no shift" "2 %, 3 mm"] [--seed 1]
                             [--folder build/study_survival] [--write]
 """
 
 import argparse
 import json
 import pathlib
+import re
 import subprocess
+from itertools import product
 
-ROBOT = "specs/robot/hopper.json"
-RANDOMISATION = "specs/randomisation/hopper.json"
+SPECS = pathlib.Path("specs").resolve()
+ROBOT = SPECS / "robot/hopper.json"
+RANDOMISATION = SPECS / "randomisation/hopper.json"
 PAGE = pathlib.Path("docs/survival.md")
 MARKS = ("<!-- written by scripts/study-survival -->", "<!-- end of survival -->")
 MOTIONS = {
@@ -24,23 +28,77 @@ MOTIONS = {
                            "--reserve", "0.12"],
     "four hops": ["--task", "hop", "--repeat", "4", "--speed", "0.8"],
     "flip": [],
+    "flip at 16:1, reserve 0.08": ["--reserve", "0.08"],
 }
+RATIO = re.compile(r" at (\d+):1")
+# How well the robots that are drawn are known, beside what the document says: ranges of masses,
+# inertias and gains about 1, and of centres of mass; None: no shift. Sensors are the same.
+KNOWN = {"": {}, "no shift": {"shift_m": None}, "2 %, 3 mm": {"share": 0.02, "shift_m": 0.003}}
+
+
+def written(file, document):
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(json.dumps(document))
+    return file
+
+
+def robot_of(name, folder):
+    """The robot of a motion: the document's, or the same with another ratio at the knee, whose
+    torque and speed limits are the drive's and follow it."""
+    ratio = RATIO.search(name)
+    if not ratio:
+        return ROBOT
+    ratio = int(ratio[1])
+    robot = json.loads(ROBOT.read_text().replace('"../', f'"{SPECS}/'))
+    knee_file = next(each for each in robot["mechanisms"] if each["joints"] == ["knee"])
+    knee = json.loads(pathlib.Path(knee_file["actuators"][0]).read_text())
+    change = ratio / knee["gearbox"]["ratio"]
+    knee["gearbox"]["ratio"] = ratio
+    knee["datasheet"]["peak_torque_Nm"] *= change
+    knee["datasheet"]["no_load_speed_rad_s"] /= change
+    joint = next(each for each in robot["joints"] if each["name"] == "knee")
+    joint["torque_limit_Nm"] *= change
+    joint["speed_limit_rad_s"] /= change
+    knee_file["actuators"] = [str(written(folder / f"knee_{ratio}.json", knee).resolve())]
+    return written(folder / f"hopper_{ratio}.json", robot)
+
+
+def randomisation_of(known, folder):
+    """The papers' ranges, or narrower ones."""
+    change = KNOWN[known]
+    if not change:
+        return RANDOMISATION
+    document = json.loads(RANDOMISATION.read_text())
+    if "share" in change:
+        even = {"least": 1 - change["share"], "greatest": 1 + change["share"]}
+        document["total_mass_factor"] = even
+        document["body_inertia_factor"] = document["controller_gain_factor"] = [even]
+    if change["shift_m"] is None:
+        del document["center_of_mass_shift_m"]
+    else:
+        document["center_of_mass_shift_m"][0].update(
+            least=-change["shift_m"], greatest=change["shift_m"])
+    document["assumed"] = [each for each in document["assumed"] if "center_of_mass" not in each]
+    return written(folder / ("known_" + re.sub(r"\W+", "_", known) + ".json"), document)
 
 
 def planned(program, name, folder):
     """The motion's file, or None where no plan was found."""
-    file = folder / (name.replace(",", "").replace(" ", "_") + ".csv")
+    file = folder / (re.sub(r"\W+", "_", name) + ".csv")
     if not file.exists():
-        subprocess.run([program, "hopper", "flip", ROBOT, *MOTIONS[name], "--time-limit", "300",
-                        "-o", str(file)], stdout=subprocess.DEVNULL)
+        subprocess.run([program, "hopper", "flip", str(robot_of(name, folder)), *MOTIONS[name],
+                        "--time-limit", "300", "-o", str(file)], stdout=subprocess.DEVNULL)
     return file if file.exists() else None
 
 
-def trials(program, motion, engine, controller, count):
-    """What a cell says: successes of the trials that were finished, and Wilson's interval."""
-    run = subprocess.run([program, "hopper", "replay", ROBOT, str(motion), "--engine", engine,
-                          "--controller", controller, "--trials", str(count), "--randomise",
-                          RANDOMISATION, "--json"], capture_output=True, text=True)
+def trials(options, files, engine, controller):
+    """What a cell says: successes of the trials that were finished, and Wilson's interval.
+    `files`: robot, motion, randomisation."""
+    robot, motion, randomisation = map(str, files)
+    run = subprocess.run([options.program, "hopper", "replay", robot, motion, "--engine", engine,
+                          "--controller", controller, "--trials", str(options.trials),
+                          "--seed", str(options.seed), "--randomise", randomisation, "--json"],
+                         capture_output=True, text=True)
     found = json.loads(run.stdout)["trials"]
     least, most = (100 * end for end in found["interval"])
     return (f"{found['succeeded']} of {found['count'] - found['unfinished']}, "
@@ -52,10 +110,12 @@ def rows(options):
     folder.mkdir(parents=True, exist_ok=True)
     for name in options.only:
         motion = planned(options.program, name, folder)
-        for controller in options.controllers if motion else []:
-            cells = [trials(options.program, motion, engine, controller, options.trials)
-                     for engine in ("own", "mujoco")]
-            yield f"| {name} | {controller} | {cells[0]} | {cells[1]} |"
+        ways = options.known or (KNOWN if RATIO.search(name) else [""])
+        for controller, known in product(options.controllers if motion else [], ways):
+            files = robot_of(name, folder), motion, randomisation_of(known, folder)
+            cells = [trials(options, files, engine, controller) for engine in ("own", "mujoco")]
+            robot = f"{name}; {known}" if known else name
+            yield f"| {robot} | {controller} | {cells[0]} | {cells[1]} |"
         if motion is None:
             yield f"| {name} | - | no plan | no plan |"
 
@@ -66,6 +126,9 @@ def main():
     parser.add_argument("--trials", type=int, default=60)
     parser.add_argument("--only", nargs="+", choices=MOTIONS, default=list(MOTIONS))
     parser.add_argument("--controllers", nargs="+", default=["lqr", "weighing"])
+    parser.add_argument("--known", nargs="+", choices=KNOWN,
+                        help="default: all where the flip is at another ratio, else the papers'")
+    parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--folder", default="build/study_survival")
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
