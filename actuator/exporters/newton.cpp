@@ -50,22 +50,25 @@ std::string function_text(const std::string& name, std::span<const double> shape
   const Parallelogram line = parallelogram_of(shape);
   return fmt::format(R"(
 
-def add_{0}(builder, joint, kp=0.0, kd=0.0):
-    """Adds the actuator to a newton.ModelBuilder, at the index of a joint of one degree of freedom."""
+def add_{0}(builder, joint, kp=0.0, kd=0.0, strength=1.0):
+    """Adds the actuator to a newton.ModelBuilder, at the index of a joint of one degree of freedom.
+
+    strength: a factor on the torque that the motor makes within its law.
+    """
     dof = builder.joint_qd_start[joint]
     builder.add_actuator(
         ControllerPD,
         index=dof,
         pos_index=builder.joint_q_start[joint],
-        kp=kp,
-        kd=kd,
+        kp=strength * kp,
+        kd=strength * kd,
         clamping=[
             (
                 ClampingDCMotor,
                 {{
-                    "saturation_effort": {1},
+                    "saturation_effort": strength * {1},
                     "velocity_limit": {2},
-                    "max_motor_effort": {3},
+                    "max_motor_effort": strength * {3},
                 }},
             )
         ],
@@ -97,10 +100,13 @@ ACTUATORS = {{
 {}}}
 
 
-def add_actuators(builder, joints, kp=0.0, kd=0.0):
-    """Adds every actuator to a newton.ModelBuilder; `joints` are indices by names of joints."""
+def add_actuators(builder, joints, kp=0.0, kd=0.0, strength=None):
+    """Adds every actuator to a newton.ModelBuilder; `joints` are indices by names of joints.
+
+    strength: factors by name on what the motors make, 1 where there is none.
+    """
     for name, add in ACTUATORS.items():
-        add(builder, joints[name], kp, kd)
+        add(builder, joints[name], kp, kd, (strength or {{}}).get(name, 1.0))
 )",
                             table);
 }

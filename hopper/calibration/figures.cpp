@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/calibration/figures.hpp"
 
+#include "robot/model/robot_centroid.hpp"
 #include "robot/parts/plausible_inertia.hpp"
 
 namespace torquewright::hopper::calibration {
@@ -24,9 +25,13 @@ std::vector<double> inertias_kg_m2(const Question& question, std::span<const dou
       if (inertia_objection(tree.bodies[knob.body].inertia.inertia_kg_m2)) return {};
     }
   }
+  std::optional<Robot> with_links = question.with_links;
+  if (with_links) with_links->tree = tree;
   std::vector<double> inertias;
   for (const SpeedTarget& target : question.figures.speeds) {
-    inertias.push_back(pitch_inertia_kg_m2(tree, postures[target.posture]));
+    const Posture& posture = postures[target.posture];
+    inertias.push_back(with_links ? pitch_inertia_kg_m2(*with_links, posture)
+                                  : pitch_inertia_kg_m2(tree, posture));
   }
   return inertias;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ struct Question {
   std::vector<Posture> postures;
   std::vector<FreeValue> free;
   Figures figures;
+  /// In the place of the tree alone, where links of its loops weigh something.
+  std::optional<Robot> with_links = {};
 };
 
 /// Returns the inertia at each target's posture with these free values; empty where a body would

@@ -110,15 +110,16 @@ struct DrivesToJoints {
   void run() {
     const Randomisation& stated = *parts.stated;
     const auto gains = by_drive(stated.controller_gain_factor, robot, stated.file);
+    const auto strengths = by_drive(stated.motor_strength_factor, robot, stated.file);
     const auto frictions = by_drive(stated.further_friction_Nm, robot, stated.file);
-    JointRanges gain(robot), friction(robot);
+    JointRanges gain(robot), strength(robot), friction(robot);
     std::size_t drive = 0;
     for (const Drivetrain& drivetrain : robot.drivetrains) {
       const SmallVector home = home_posture_rad(robot.tree, drivetrain.joints);
       const auto transfer = drivetrain.mechanism->transfer(home, SmallVector::Zero(home.size()));
       bool is_shared = false;
       for (std::size_t k = 0; k < drivetrain.actuators.size(); ++k, ++drive) {
-        if (!gains[drive] && !frictions[drive]) continue;
+        if (!gains[drive] && !strengths[drive] && !frictions[drive]) continue;
         is_shared = is_shared || drivetrain.joints.size() > 1;
         for (std::size_t j = 0; j < drivetrain.joints.size(); ++j) {
           const double share = transfer ? std::abs(transfer->jacobian(static_cast<Eigen::Index>(k),
@@ -126,19 +127,21 @@ struct DrivesToJoints {
                                         : 0.0;
           const std::string& joint = robot.tree.bodies[drivetrain.joints[j]].joint.name;
           if (gains[drive]) gain.take_hull(joint, *gains[drive], share);
+          if (strengths[drive]) strength.take_hull(joint, *strengths[drive], share);
           if (frictions[drive]) friction.add(joint, *frictions[drive], share);
         }
       }
       if (is_shared) note_shared(drivetrain);
     }
     parts.gain_factor = gain.all();
+    parts.strength_factor = strength.all();
     parts.dry_friction_Nm = friction.all();
   }
 
   void note_shared(const Drivetrain& drivetrain) {
     parts.notes.push_back(fmt::format(
         "{} turn several joints: each joint draws for itself what they have at the posture nearest "
-        "to zero (friction by virtual work, gains over all their ranges)",
+        "to zero (friction by virtual work, gains and strengths over all their ranges)",
         fmt::join(drivetrain.actuator_names, ", ")));
   }
 };
@@ -187,6 +190,7 @@ DrawnParts drawn_parts(const Randomisation& randomisation, const Robot& robot) {
   parts.center_of_mass_m = shifts_of(randomisation, robot);
   parts.start_position_rad = by_name(randomisation.initial_joint_position_rad, joints, file);
   parts.start_velocity_rad_s = by_name(randomisation.initial_joint_velocity_rad_s, joints, file);
+  parts.drive_strength = by_name(randomisation.motor_strength_factor, drawing_drives(robot), file);
   DrivesToJoints{robot, parts}.run();
   note_left_out(parts);
   return parts;

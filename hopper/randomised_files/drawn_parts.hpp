@@ -31,6 +31,8 @@ struct DrawnParts {
   std::vector<PartsRange> inertia_factor;
   std::vector<BodyShift> center_of_mass_m;
   std::vector<PartsRange> gain_factor;      ///< By joint.
+  std::vector<PartsRange> strength_factor;  ///< By joint, on what its drives' motors make,
+  std::vector<PartsRange> drive_strength;   ///< and by drive.
   std::vector<PartsRange> dry_friction_Nm;  ///< By joint, beside what it has.
   std::vector<PartsRange> start_position_rad;
   std::vector<PartsRange> start_velocity_rad_s;

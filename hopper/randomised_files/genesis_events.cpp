@@ -47,6 +47,15 @@ def randomise(entity, envs, friction=1.0):
     if GROUND_FRICTION is not None:
         ratio = drawn(*GROUND_FRICTION) / friction
         entity.set_friction_ratio(torch.stack([ratio] * len(links), 1), links, envs)
+
+
+def motor_strength(count):
+    """Factors of DRIVEN on what their motors make, a row each environment: apply(..., strength=...)."""
+    import torch
+
+    ranges = {name: (low, high) for name, low, high in MOTOR_STRENGTH}
+    ends = [ranges.get(name, (1.0, 1.0)) for name in DRIVEN]
+    return torch.stack([low + (high - low) * torch.rand(count) for low, high in ends], 1)
 )";
 
 std::string masses(const Robot& robot) {
@@ -64,6 +73,7 @@ EventText write(const DrawnParts& parts, const Robot& robot) {
   written.text =
       masses(robot) + python_pair_or_none("TOTAL_MASS_FACTOR", stated.total_mass_factor) +
       python_rows("MASS_FACTOR", parts.mass_factor) + python_shift_rows(parts.center_of_mass_m) +
+      python_rows("MOTOR_STRENGTH", parts.strength_factor) +
       python_rows("DRY_FRICTION_NM", parts.dry_friction_Nm) +
       python_pair_or_none("GROUND_FRICTION", stated.friction_coefficient) + std::string(kFunction);
   std::vector<std::string>& left_out = written.left_out;
@@ -95,7 +105,8 @@ const EventWriter genesis_events = {
         "genesis/engine/entities/rigid_entity/impl/entity_accessor.py @ 637426fb",
     .advice =
         "randomise(entity, envs) at reset, of a scene built with "
-        "RigidOptions(batch_dofs_info=True). Friction of a contact is the greater of both geoms': "
+        "RigidOptions(batch_dofs_info=True); motor_strength(count) once, for apply(). Friction of "
+        "a contact is the greater of both geoms': "
         "the ground's has to be less.",
     .write = write,
 };

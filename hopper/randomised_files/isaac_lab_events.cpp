@@ -43,6 +43,17 @@ def add_dry_friction(env, env_ids, asset_cfg, friction_range):
 
 )";
 
+/// compute() takes and returns what the solver is told: torques of explicit actuators.
+constexpr ActuatorsInPython kIsaacLabActuators = {"asset.actuators.values()",
+                                                  "actuator.joint_names",
+                                                  R"(        action = plain(*arguments, **named)
+        if action.joint_efforts is None:
+            raise TypeError("motor strength is of actuators that compute a torque")
+        action.joint_efforts = action.joint_efforts * actuator.motor_strength
+        actuator.applied_effort = action.joint_efforts
+        return action
+)"};
+
 void add_bodies(const DrawnParts& parts, const Robot& robot, PythonTerms& terms) {
   const std::optional<Range>& total = parts.stated->total_mass_factor;
   if (total) {
@@ -86,6 +97,10 @@ void add_joints(const DrawnParts& parts, PythonTerms& terms) {
                "\"damping_distribution_params\": " + python_pair(each.range),
                "\"operation\": \"scale\""});
   }
+  for (const PartsRange& each : parts.strength_factor) {
+    terms.add("motor_strength", "scale_motor_strength", "startup",
+              {asset("joint_names", each.names), "\"strength_range\": " + python_pair(each.range)});
+  }
   for (const PartsRange& each : parts.dry_friction_Nm) {
     terms.add("dry_friction", "add_dry_friction", "startup",
               {asset("joint_names", each.names), "\"friction_range\": " + python_pair(each.range)});
@@ -120,6 +135,7 @@ EventText write(const DrawnParts& parts, const Robot& robot) {
   written.text =
       "from isaaclab.envs import mdp\n"
       "from isaaclab.managers import EventTermCfg, SceneEntityCfg\n";
+  if (!parts.strength_factor.empty()) written.text += scale_motor_strength(kIsaacLabActuators);
   written.text += parts.dry_friction_Nm.empty() ? "\n" : kAddDryFriction;
   written.text += terms.text();
   std::vector<std::string>& left_out = written.left_out;

@@ -9,6 +9,10 @@
 namespace torquewright::hopper::event_writers {
 namespace {
 
+constexpr ActuatorsInPython kMjlabActuators = {
+    "asset.actuators", "getattr(actuator, \"target_names\", None) or actuator._actuated_names",
+    "        return plain(*arguments, **named) * actuator.motor_strength\n"};
+
 void add_masses(const DrawnParts& parts, const Robot& robot, PythonTerms& terms) {
   const std::optional<Range>& total = parts.stated->total_mass_factor;
   if (total) {
@@ -43,6 +47,10 @@ void add_joints(const DrawnParts& parts, PythonTerms& terms) {
     terms.add("gains", "dr.pd_gains", "startup",
               {"\"asset_cfg\": SceneEntityCfg(\"robot\")", "\"kp_range\": " + pair,
                "\"kd_range\": " + pair, "\"operation\": \"scale\""});
+  }
+  for (const PartsRange& each : parts.strength_factor) {
+    terms.add("motor_strength", "scale_motor_strength", "startup",
+              {asset("joint_names", each.names), "\"strength_range\": " + python_pair(each.range)});
   }
   for (const PartsRange& each : parts.dry_friction_Nm) {
     terms.add("dry_friction", "dr.joint_friction", "startup",
@@ -105,8 +113,8 @@ EventText write(const DrawnParts& parts, const Robot& robot) {
       "from mjlab.envs import mdp\n"
       "from mjlab.envs.mdp import dr\n"
       "from mjlab.managers.event_manager import EventTermCfg\n"
-      "from mjlab.managers.scene_entity_config import SceneEntityCfg\n\n" +
-      terms.text();
+      "from mjlab.managers.scene_entity_config import SceneEntityCfg\n" +
+      (parts.strength_factor.empty() ? "\n" : scale_motor_strength(kMjlabActuators)) + terms.text();
   note_left_out(parts, written.left_out);
   return written;
 }

@@ -49,12 +49,17 @@ def randomise(builder, bodies, joints, random):
             value = random.uniform(*span)
             for shape in range(len(field)):
                 field[shape] = value
+
+
+def motor_strength(random):
+    """Factors by joint on what their motors make: add_actuators(..., strength=...)."""
+    return {name: random.uniform(low, high) for name, low, high in MOTOR_STRENGTH}
 )";
 
 EventText write(const DrawnParts& parts, const Robot&) {
   const Randomisation& stated = *parts.stated;
   EventText written;
-  written.text = python_tables_of(parts) +
+  written.text = python_tables_of(parts) + python_rows("MOTOR_STRENGTH", parts.strength_factor) +
                  python_pair_or_none("GROUND_FRICTION", stated.friction_coefficient) +
                  python_pair_or_none("RESTITUTION", stated.restitution) + std::string(kFunction);
   if (!parts.gain_factor.empty()) {
@@ -82,7 +87,9 @@ const EventWriter newton_events = {
     .source = "https://github.com/newton-physics/newton newton/_src/sim/builder.py @ 8f0ed996",
     .advice =
         "randomise(builder, bodies, joints, random.Random(seed)) on a builder of one robot for "
-        "each world, before it is added to the scene's. Friction of contacts is made of both "
+        "each world, before it is added to the scene's; motor_strength(random) for "
+        "add_actuators(). "
+        "Friction of contacts is made of both "
         "shapes': see the ground's.",
     .write = write,
 };

@@ -2,7 +2,8 @@
 // MuJoCo Playground's own form: domain_randomize(model, rng) returns the model with a leading axis
 // in the fields that are drawn, and in_axes, 0 for those and None for the others
 // (mujoco_playground/_src/locomotion/go1/randomize.py; brax' randomization_fn). The drives of the
-// model are MJCF's of `robot export`: ctrl is a voltage, so that ctrlrange is the supply's.
+// model are MJCF's of `robot export`: ctrl is a voltage, so that ctrlrange is the supply's, and a
+// factor on gain, bias and force range is one on the motor's torque.
 #include "hopper/randomised_files/every_event_writer.hpp"
 #include "hopper/randomised_files/python_terms.hpp"
 
@@ -48,6 +49,10 @@ def domain_randomize(model, rng):
             fields["body_inertia"] = field("body_inertia").at[body(name)].multiply(number(low, high))
         for name, axis, low, high in CENTER_OF_MASS_M:
             fields["body_ipos"] = field("body_ipos").at[body(name), axis].add(number(low, high))
+        for name, low, high in MOTOR_STRENGTH:
+            factor = number(low, high)
+            for key in ("actuator_gainprm", "actuator_biasprm", "actuator_forcerange"):
+                fields[key] = field(key).at[names.actuator(name).id].multiply(factor)
         for name, low, high in DRY_FRICTION_NM:
             fields["dof_frictionloss"] = (
                 field("dof_frictionloss").at[dof(name)].add(number(low, high))
@@ -67,7 +72,7 @@ def domain_randomize(model, rng):
 EventText write(const DrawnParts& parts, const Robot&) {
   const Randomisation& stated = *parts.stated;
   EventText written;
-  written.text = python_tables_of(parts) +
+  written.text = python_tables_of(parts) + python_rows("MOTOR_STRENGTH", parts.drive_strength) +
                  python_pair_or_none("GROUND_FRICTION", stated.friction_coefficient) +
                  python_pair_or_none("BUS_VOLTAGE_FACTOR", stated.bus_voltage_factor) +
                  std::string(kFunction);

@@ -46,6 +46,56 @@ inline std::string python_pair_or_none(std::string_view name, const std::optiona
   return fmt::format("{} = {}\n", name, range ? python_pair(*range) : "None");
 }
 
+/// How a simulator's actuators are reached and named, and what their compute() then does; Python.
+struct ActuatorsInPython {
+  std::string_view all;      ///< Of `asset`.
+  std::string_view names;    ///< Of the joints of `actuator`.
+  std::string_view compute;  ///< Lines of a function that calls plain(*arguments, **named).
+};
+
+/// A term that Isaac Lab and mjlab lack: scale_motor_strength().
+inline std::string scale_motor_strength(const ActuatorsInPython& of) {
+  return fmt::format(R"(
+
+def scaled(actuator):
+    """The actuator's compute(), whose torque is then the motor's of another strength."""
+    plain = actuator.compute
+
+    def compute(*arguments, **named):
+{}
+    return compute
+
+
+def scale_motor_strength(env, env_ids, asset_cfg, strength_range):
+    """A factor on what each joint's motor makes within its actuator's law; once, at startup."""
+    import torch
+
+    asset = env.scene[asset_cfg.name]
+    if env_ids is None:
+        env_ids = torch.arange(env.scene.num_envs, device=asset.device)
+    joint_ids = asset_cfg.joint_ids
+    wanted = asset.joint_names[joint_ids] if isinstance(joint_ids, slice) else [
+        asset.joint_names[i] for i in joint_ids
+    ]
+    low, high = strength_range
+    for actuator in {}:
+        names = list({})
+        columns = [i for i, name in enumerate(names) if name in wanted]
+        if not columns:
+            continue
+        if not hasattr(actuator, "motor_strength"):
+            actuator.motor_strength = torch.ones(
+                (env.scene.num_envs, len(names)), device=asset.device
+            )
+            actuator.compute = scaled(actuator)
+        drawn = low + (high - low) * torch.rand(len(env_ids), len(columns), device=asset.device)
+        actuator.motor_strength[env_ids[:, None], torch.tensor(columns, device=asset.device)] = drawn
+
+
+)",
+                     of.compute, of.all, of.names);
+}
+
 /// Of bodies and joints, by Python's names: TOTAL_MASS_FACTOR, MASS_FACTOR, INERTIA_FACTOR,
 /// CENTER_OF_MASS_M, DRY_FRICTION_NM.
 inline std::string python_tables_of(const DrawnParts& parts) {

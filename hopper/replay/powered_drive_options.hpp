@@ -22,6 +22,9 @@ struct PoweredDriveOptions {
   /// Coulomb friction beyond what the documents know, at each drive's output (drives x 1, not
   /// negative), which nobody compensates. Empty: none.
   Eigen::VectorXd further_friction_Nm;
+  /// By this factor each drive's motor makes more torque of a current than its document says
+  /// (drives x 1, positive), which nobody knows. Empty: 1.
+  Eigen::VectorXd motor_strength_factor = {};
 };
 
 }  // namespace torquewright::hopper

@@ -86,6 +86,15 @@ void make_regions(const actuator::OperatingConditions& conditions,
   }
 }
 
+/// Numbers by drive, `otherwise` for all where there are none.
+VectorXd one_each(const VectorXd& numbers, Index drives, double otherwise) {
+  if (numbers.size() == 0) return VectorXd::Constant(drives, otherwise);
+  if (numbers.size() != drives || !numbers.allFinite()) {
+    throw std::invalid_argument("what differs in the drives is one finite number for each");
+  }
+  return numbers;
+}
+
 std::vector<const actuator::Actuator*> actuators_of(const FixedDrives& drives) {
   std::vector<const actuator::Actuator*> actuators;
   for (const FixedDrive& drive : drives) actuators.push_back(&drive.actuator);
@@ -184,15 +193,18 @@ class PoweredDrives::Work {
 
   void begin(const PoweredDriveOptions& options) {
     const auto count = static_cast<Index>(fixed_->size());
-    const VectorXd& friction_Nm = options.further_friction_Nm;
-    const bool fits = friction_Nm.size() == 0 || friction_Nm.size() == count;
-    if (!fits || !friction_Nm.allFinite() || (friction_Nm.array() < 0.0).any()) {
+    const VectorXd friction_Nm = one_each(options.further_friction_Nm, count, 0.0);
+    if ((friction_Nm.array() < 0.0).any()) {
       throw std::invalid_argument("further friction is one number a drive, not negative");
+    }
+    const VectorXd strength = one_each(options.motor_strength_factor, count, 1.0);
+    if (!(strength.array() > 0.0).all()) {
+      throw std::invalid_argument("a motor's strength is one number a drive, positive");
     }
     drives_.clear();
     for (Index i = 0; i < count; ++i) {
       drives_.emplace_back((*fixed_)[static_cast<std::size_t>(i)], options,
-                           friction_Nm.size() == 0 ? 0.0 : friction_Nm[i]);
+                           UnknownOfDrive{friction_Nm[i], strength[i]});
     }
     buses_.clear();
     for (DriveSupply& feeds : drive_supplies(actuators_of(*fixed_), options.conditions)) {

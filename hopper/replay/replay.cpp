@@ -90,6 +90,7 @@ struct Variation {
   RunStart start;
   actuator::OperatingConditions conditions;
   Eigen::VectorXd further_friction_Nm;
+  Eigen::VectorXd motor_strength_factor;
   Eigen::VectorXd gain_factor;
   std::function<void(std::uint64_t, Observation&)> sense;
 };
@@ -124,7 +125,7 @@ struct Replay::Ready {
   Variation plain() const {
     ReferenceInstant first;
     reference.at(reference.begins_s(), first);
-    return {options.run, {first.position, first.velocity}, options.conditions, {}, {}, {}};
+    return {options.run, {first.position, first.velocity}, options.conditions, {}, {}, {}, {}};
   }
 
   ReplayedRun run(const Robot& of, const Variation& variation, const Watching& watching) const {
@@ -134,7 +135,8 @@ struct Replay::Ready {
     const Robot moved = without_free_rotors(of);
     const auto engine = options.engine->make(moved, on);
     const auto follows = controller->make();
-    PoweredDrives drives(of, {options.limits, variation.conditions, variation.further_friction_Nm});
+    PoweredDrives drives(of, {options.limits, variation.conditions, variation.further_friction_Nm,
+                              variation.motor_strength_factor});
     const RunParts parts{moved,
                          reference,
                          *engine,
@@ -205,6 +207,7 @@ ReplayedRun Replay::run_trial(const Randomisation& randomisation, std::uint64_t 
   variation.start = start_of(robot, ready.reference, trial);
   variation.conditions = conditions_of(trial, ready.options.conditions);
   variation.further_friction_Nm = trial.further_friction_Nm;
+  variation.motor_strength_factor = trial.motor_strength_factor;
   variation.gain_factor = trial.controller_gain_factor;
   variation.run.ground_height_m += trial.ground_height_m;
   variation.run.latency_steps +=

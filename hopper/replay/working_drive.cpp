@@ -76,11 +76,11 @@ simulation::SimulationOptions joint_options(const FixedDrive& fixed) {
 }  // namespace
 
 WorkingDrive::WorkingDrive(const FixedDrive& fixed, const PoweredDriveOptions& options,
-                           double friction_Nm)
+                           const UnknownOfDrive& unknown)
     : fixed_(&fixed),
       start_(starting_temperatures(fixed.actuator, options.conditions)),
       nodes_(start_),
-      friction_Nm_(friction_Nm) {
+      unknown_(unknown) {
   if (fixed.actuator.thermal) heat_.emplace(fixed.actuator);
   const double open_V = open_circuit_voltage_V(fixed.actuator, options.conditions);
   const actuator::PhaseModel model = fixed.region->model(open_V, start_.winding_K);
@@ -183,39 +183,48 @@ void WorkingDrive::switch_off() {
   is_loaded_ = true;
 }
 
-/// Of the motion, also at rest, as rotor_torque_Nm() has it.
-double WorkingDrive::direction() const {
-  return speed_rad_s_ == 0.0 ? -std::copysign(1.0, made_Nm_) : std::copysign(1.0, speed_rad_s_);
+/// What a motor of another strength makes of the same current: its share changes, drag stays.
+double WorkingDrive::given_Nm() const {
+  if (unknown_.strength == 1.0) return made_Nm_;
+  const double coasting_Nm = this->coasting_Nm();
+  return coasting_Nm + unknown_.strength * (made_Nm_ - coasting_Nm);
 }
 
-/// What the motor makes, at the output, so that made_Nm_ is there once mesh and known friction have
-/// taken theirs.
-double WorkingDrive::motor_Nm() const {
+/// Of the motion, also at rest, as rotor_torque_Nm() has it.
+double WorkingDrive::direction(double torque_Nm) const {
+  return speed_rad_s_ == 0.0 ? -std::copysign(1.0, torque_Nm) : std::copysign(1.0, speed_rad_s_);
+}
+
+/// What the motor makes, at the output, so that the torque is there once mesh and known friction
+/// have taken theirs.
+double WorkingDrive::motor_Nm(double torque_Nm) const {
   const Actuator& actuator = fixed_->actuator;
+  const double along = direction(torque_Nm);
   const actuator::Span side =
-      actuator::motor_side_torque_Nm(actuator, speed_rad_s_, direction(), nodes_.winding_K);
-  return actuator::before_mesh_Nm(actuator, made_Nm_, direction()) -
-         0.5 * (side.least + side.greatest);
+      actuator::motor_side_torque_Nm(actuator, speed_rad_s_, along, nodes_.winding_K);
+  return actuator::before_mesh_Nm(actuator, torque_Nm, along) - 0.5 * (side.least + side.greatest);
 }
 
 double WorkingDrive::acting_Nm(double output_position_rad, double step_s) {
-  double torque_Nm = made_Nm_;
+  const double given_Nm = this->given_Nm();
+  double torque_Nm = given_Nm;
   if (joint_) {
     simulation::DriveNow now;
     now.value = current_A_;
-    now.motor_Nm = motor_Nm();
+    now.motor_Nm = motor_Nm(given_Nm);
     torque_Nm = joint_->advance({output_position_rad, output_speed_rad_s_, step_s}, now,
-                                direction(), nodes_.winding_K);
+                                direction(given_Nm), nodes_.winding_K);
     // What would turn a gear that locks holds itself.
-    if (!std::isfinite(torque_Nm)) torque_Nm = made_Nm_;
+    if (!std::isfinite(torque_Nm)) torque_Nm = given_Nm;
   }
-  if (friction_Nm_ == 0.0) return torque_Nm;
+  if (unknown_.friction_Nm == 0.0) return torque_Nm;
   // Eq. (5): whatever else moves with it, the rotor does.
   const double turning_rad_s = fixed_->turns_with_output && fixed_->turned_kg_m2 > 0.0
-                                   ? friction_Nm_ * step_s / fixed_->turned_kg_m2
+                                   ? unknown_.friction_Nm * step_s / fixed_->turned_kg_m2
                                    : 0.0;
   const double width_rad_s = std::max(rest_width_rad_s_, turning_rad_s);
-  return torque_Nm - friction_Nm_ * std::clamp(output_speed_rad_s_ / width_rad_s, -1.0, 1.0);
+  return torque_Nm -
+         unknown_.friction_Nm * std::clamp(output_speed_rad_s_ / width_rad_s, -1.0, 1.0);
 }
 
 void WorkingDrive::end(double step_s) {

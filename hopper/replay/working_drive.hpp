@@ -23,13 +23,20 @@ struct FixedDrive {
   std::shared_ptr<const actuator::HeldRegion> region;
 };
 
+/// In what a drive differs from its document, unknown to whoever controls it.
+struct UnknownOfDrive {
+  double friction_Nm = 0.0;  ///< At the output, Coulomb's.
+  double strength = 1.0;     ///< Of the motor: torque over what its current should make.
+};
+
 /// One drive during one step: a torque is wanted of it, a voltage holds it to a bound, it takes a
 /// current and a power, and it warms (docs/derivations/replay_drives.md eqs. (1), (4)-(6)).
 class WorkingDrive {
  public:
   /// Requires that there are no objections to the conditions. `fixed` must outlive it, and all
   /// copies of it.
-  WorkingDrive(const FixedDrive& fixed, const PoweredDriveOptions& options, double friction_Nm);
+  WorkingDrive(const FixedDrive& fixed, const PoweredDriveOptions& options,
+               const UnknownOfDrive& unknown);
 
   void start();
 
@@ -62,8 +69,9 @@ class WorkingDrive {
   bool is_same_current(double bus_V) const;
   double behind_line_V(double bus_V) const;
   double coasting_Nm() const;
-  double direction() const;
-  double motor_Nm() const;
+  double given_Nm() const;
+  double direction(double torque_Nm) const;
+  double motor_Nm(double torque_Nm) const;
 
   const FixedDrive* fixed_;
   std::optional<actuator::ClipTable> box_;
@@ -72,7 +80,7 @@ class WorkingDrive {
       joint_;  ///< Present where an effect acts that no drive compensates.
   actuator::NodeTemperatures start_;
   actuator::NodeTemperatures nodes_;
-  double friction_Nm_;
+  UnknownOfDrive unknown_;
   double rest_width_rad_s_ = 0.0;
   // Of the step.
   actuator::PhaseModel model_;

@@ -45,6 +45,7 @@ constexpr std::array kKeys{
     range<&Randomisation::body_inertia_factor>("body_inertia_factor"),
     range<&Randomisation::center_of_mass_shift_m>("center_of_mass_shift_m"),
     range<&Randomisation::controller_gain_factor>("controller_gain_factor"),
+    range<&Randomisation::motor_strength_factor>("motor_strength_factor"),
     range<&Randomisation::further_friction_Nm>("further_friction_Nm"),
     range<&Randomisation::friction_coefficient>("friction_coefficient"),
     range<&Randomisation::restitution>("restitution"),

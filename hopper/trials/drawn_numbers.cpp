@@ -76,6 +76,8 @@ std::vector<DrawnNumber> drawn_numbers(const Trial& trial, const Randomisation& 
   list.add_shifts(from.center_of_mass_shift_m, bodies, trial.center_of_mass_shift_m);
   list.add("controller_gain_factor", from.controller_gain_factor, drives,
            trial.controller_gain_factor);
+  list.add("motor_strength_factor", from.motor_strength_factor, drives,
+           trial.motor_strength_factor);
   list.add("further_friction_Nm", from.further_friction_Nm, drives, trial.further_friction_Nm);
   list.add("friction_coefficient", trial.friction_coefficient);
   list.add("restitution", trial.restitution);

@@ -36,6 +36,7 @@ Randomisation eased(Randomisation randomisation, const Robot& robot, double shar
     shrink.range(shift.of_bodies.range, 0.0);
   }
   shrink.ranges(randomisation.controller_gain_factor, 1.0);
+  shrink.ranges(randomisation.motor_strength_factor, 1.0);
   shrink.ranges(randomisation.further_friction_Nm, 0.0);
   if (!robot.contacts.empty()) {
     const ContactPoint& contact = robot.contacts.front();

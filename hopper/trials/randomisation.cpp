@@ -24,6 +24,7 @@ class RandomisationFit {
     shifts_once(bodies);
     const NamedThings drives = drawing_drives(robot_);
     each_once(asked_.controller_gain_factor, drives);
+    each_once(asked_.motor_strength_factor, drives);
     each_once(asked_.further_friction_Nm, drives);
     const NamedThings joints = drawing_joints(robot_);
     each_once(asked_.initial_joint_position_rad, joints);

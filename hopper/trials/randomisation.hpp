@@ -42,6 +42,8 @@ struct Randomisation {
   std::vector<NamedRange> body_inertia_factor;
   std::vector<ShiftRange> center_of_mass_shift_m;
   std::vector<NamedRange> controller_gain_factor;  ///< Factors by drive.
+  /// Factors by drive, on the torque that its motor makes of a current.
+  std::vector<NamedRange> motor_strength_factor;
   /// Friction by drive, behind the gears, at its output.
   std::vector<NamedRange> further_friction_Nm;
   /// Coefficient of the ground, in place of all contacts'.

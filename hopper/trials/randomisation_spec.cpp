@@ -24,6 +24,7 @@ class RandomisationReader {
     read.body_inertia_factor = ranges("body_inertia_factor", "bodies");
     read.center_of_mass_shift_m = shifts();
     read.controller_gain_factor = ranges("controller_gain_factor", "drives");
+    read.motor_strength_factor = ranges("motor_strength_factor", "drives");
     read.further_friction_Nm = ranges("further_friction_Nm", "drives");
     read.friction_coefficient = range("friction_coefficient");
     read.restitution = range("restitution");

@@ -98,6 +98,8 @@ Trial draw_trial(const Randomisation& randomisation, const Robot& robot, std::ui
   trial.center_of_mass_shift_m = draw.shifts(from.center_of_mass_shift_m, bodies);
   trial.controller_gain_factor =
       draw.each(from.controller_gain_factor, drives, "controller_gain_factor", 1.0);
+  trial.motor_strength_factor =
+      draw.each(from.motor_strength_factor, drives, "motor_strength_factor", 1.0);
   trial.further_friction_Nm =
       draw.each(from.further_friction_Nm, drives, "further_friction_Nm", 0.0);
   trial.friction_coefficient = draw.one(from.friction_coefficient, "friction_coefficient");

@@ -21,6 +21,7 @@ struct Trial {
   Eigen::Matrix3Xd center_of_mass_shift_m;  ///< (3 x bodies), in each body's axes.
   /// (drives x 1), factors on the torque that feedback asks for.
   Eigen::VectorXd controller_gain_factor;
+  Eigen::VectorXd motor_strength_factor;       ///< (drives x 1)
   Eigen::VectorXd further_friction_Nm;         ///< (drives x 1)
   std::optional<double> friction_coefficient;  ///< Friction of the ground; none: the contacts' own.
   std::optional<double> restitution;

@@ -33,7 +33,7 @@ class LinkageReader {
 
   void read(const std::vector<Connect>& connects) {
     for (const Connect& connect : connects) {
-      if (is_opened(connect)) continue;
+      if (leaves_out(connect)) continue;
       auto found = rod_loop_of(draft_, connect, driven_);
       if (auto* objection = std::get_if<std::string>(&found)) {
         kept_.add(connect, std::move(*objection));
@@ -58,21 +58,16 @@ class LinkageReader {
 
  private:
   /// Whether the user asked for it, by its own name or that of an end.
-  bool is_opened(const Connect& connect) {
-    const std::string own = attribute(*connect.element, "name");
-    bool is_asked_for = false;
+  bool leaves_out(const Connect& connect) {
+    if (!is_opened(connect, options_.opened_loops)) return false;
     for (const std::string& name : options_.opened_loops) {
-      if (name != own && name != connect.names[0] && name != connect.names[1]) continue;
-      opened_names_.insert(name);
-      is_asked_for = true;
+      if (is_called(connect, name)) opened_names_.insert(name);
     }
-    if (is_asked_for) {
-      imported_.notes.push_back(fmt::format(
-          "the loop between \"{}\" and \"{}\" is opened (--open-loop): nothing holds its ends "
-          "together, and its joints move each by itself",
-          connect.names[0], connect.names[1]));
-    }
-    return is_asked_for;
+    imported_.notes.push_back(fmt::format(
+        "the loop between \"{}\" and \"{}\" is opened (--open-loop): nothing holds its ends "
+        "together, and its joints move each by itself",
+        connect.names[0], connect.names[1]));
+    return true;
   }
 
   void refuse_unknown_names() {
@@ -288,7 +283,9 @@ class LinkageReader {
         const dynamics::Joint& joint = draft_[link].body.joint;
         if (joint.passive.is_none()) continue;
         imported_.notes.push_back(fmt::format(
-            "damping and friction of \"{}\", a joint of a rod, are not held", joint.name));
+            "damping of {:.4g} N m s/rad and dry friction of {:.4g} N m of \"{}\", a joint of a "
+            "rod, are not held",
+            joint.passive.damping, joint.passive.dry_friction, joint.name));
       }
     }
   }

@@ -207,6 +207,16 @@ class LoopReader {
 
 }  // namespace
 
+bool is_called(const Connect& connect, const std::string& name) {
+  return name == attribute(*connect.element, "name") || name == connect.names[0] ||
+         name == connect.names[1];
+}
+
+bool is_opened(const Connect& connect, const std::vector<std::string>& opened) {
+  return std::any_of(opened.begin(), opened.end(),
+                     [&](const std::string& name) { return is_called(connect, name); });
+}
+
 std::variant<RodLoop, std::string> rod_loop_of(const std::vector<DraftBody>& draft,
                                                const Connect& connect, const DrivenJoints& driven) {
   return LoopReader(draft, connect, driven).read();

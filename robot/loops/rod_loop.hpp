@@ -19,6 +19,11 @@ struct Connect {
   std::array<std::string, 2> names;  ///< As the file calls what it joins.
 };
 
+/// Whether a user means it by that name: its own, or that of an end.
+bool is_called(const Connect& connect, const std::string& name);
+/// Whether it is called by one of them.
+bool is_opened(const Connect& connect, const std::vector<std::string>& opened);
+
 /// The drive that turns a joint, by the joint.
 using DrivenJoints = std::map<std::string, std::string>;
 

@@ -2,7 +2,9 @@
 #include "robot/mjcf/mjcf_base.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -45,17 +47,18 @@ void note_offset(const char* ours, const MjcfJoint& joint, double offset, MjcfBa
 }
 
 /// What a joint of the file has that no base of ours holds.
-void note_left_out(const MjcfJoint& joint, MjcfBase& base) {
+void note_left_out(const MjcfJoint& joint, const char* kind, MjcfBase& base) {
   const dynamics::JointLimits& limits = joint.joint.limits;
   const bool turns = joint.joint.kind == JointKind::kRevolute;
   if (std::isfinite(limits.position_min) || std::isfinite(limits.position_max)) {
     base.notes.push_back(fmt::format(
-        "{}'s range of {:.6g} to {:.6g} {} is left out: a planar base has none", joint.joint.name,
-        limits.position_min, limits.position_max, turns ? "rad" : "m"));
+        "{}'s range of {:.6g} to {:.6g} {} is left out: a {} base has none", joint.joint.name,
+        limits.position_min, limits.position_max, turns ? "rad" : "m", kind));
   }
   if (!joint.joint.passive.is_none()) {
-    base.notes.push_back(fmt::format(
-        "{}'s damping, friction or spring is left out: a planar base has none", joint.joint.name));
+    base.notes.push_back(
+        fmt::format("{}'s damping, friction or spring is left out: a {} base has none",
+                    joint.joint.name, kind));
   }
 }
 
@@ -72,7 +75,7 @@ MjcfBase planar_base(const Placed& pose, const std::vector<MjcfJoint>& joints) {
   note_offset("base_x_position_m", x, start_m.x() - x.reference, base);
   note_offset("base_z_position_m", z, start_m.z() - z.reference, base);
   note_offset("base_pitch_position_rad", hinge, -hinge.reference, base);
-  for (const MjcfJoint& joint : joints) note_left_out(joint, base);
+  for (const MjcfJoint& joint : joints) note_left_out(joint, "planar", base);
   if (!base.R_DB.isIdentity(kAlong) || base.p_DB_m.norm() > kAlong) {
     base.notes.emplace_back(
         "the base's frame sits at the hinge of its pitch and is the world's where that is zero: "
@@ -81,9 +84,47 @@ MjcfBase planar_base(const Placed& pose, const std::vector<MjcfJoint>& joints) {
   return base;
 }
 
+/// Of three slides, or three hinges: whether they leave no direction out.
+bool span_space(const std::vector<MjcfJoint>& joints, JointKind kind) {
+  constexpr double kLeastVolume = 0.1;  // of the box of three axes; 1 where they are square
+  Eigen::Matrix3d axes;
+  Eigen::Index count = 0;
+  for (const MjcfJoint& next : joints) {
+    if (next.joint.kind != kind) continue;
+    if (count == 3) return false;
+    axes.col(count++) = next.joint.axis;
+  }
+  return count == 3 && std::abs(axes.determinant()) > kLeastVolume;
+}
+
+/// Whether they move a body as a free joint does.
+bool moves_freely(const std::vector<MjcfJoint>& joints,
+                  const std::map<std::string, std::string>& driven) {
+  if (joints.size() != 6) return false;
+  const bool is_plain = std::all_of(joints.begin(), joints.end(), [&](const MjcfJoint& next) {
+    return next.joint.reflected_inertia == 0 && !driven.contains(next.joint.name);
+  });
+  return is_plain && span_space(joints, JointKind::kPrismatic) &&
+         span_space(joints, JointKind::kRevolute);
+}
+
+MjcfBase free_base(const std::vector<MjcfJoint>& joints) {
+  MjcfBase base;
+  base.kind = BaseKind::kSpatial;
+  std::vector<std::string> names;
+  for (const MjcfJoint& joint : joints) {
+    names.push_back(joint.joint.name);
+    note_left_out(joint, "spatial", base);
+  }
+  base.notes.push_back(fmt::format("{} are one free joint here, which moves the base as they do",
+                                   fmt::join(names, ", ")));
+  return base;
+}
+
 }  // namespace
 
-MjcfBase base_of(const Placed& pose, const std::vector<MjcfJoint>& joints, bool drops_armature,
+MjcfBase base_of(const Placed& pose, const std::vector<MjcfJoint>& joints,
+                 const std::map<std::string, std::string>& driven, bool drops_armature,
                  Faults& faults) {
   MjcfBase base;
   for (const MjcfJoint& next : joints) {
@@ -103,8 +144,9 @@ MjcfBase base_of(const Placed& pose, const std::vector<MjcfJoint>& joints, bool 
                     "--drop-base-armature",
                     armature));
   }
-  if (base.kind == BaseKind::kSpatial || !is_planar(pose, joints)) return base;
-  return planar_base(pose, joints);
+  if (base.kind == BaseKind::kSpatial) return base;
+  if (moves_freely(joints, driven)) return free_base(joints);
+  return is_planar(pose, joints) ? planar_base(pose, joints) : base;
 }
 
 }  // namespace torquewright::hopper

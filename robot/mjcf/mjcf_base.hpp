@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,11 +18,13 @@ struct MjcfBase {
   std::vector<std::string> notes;
 };
 
-/// The base that the joints of a top body at this pose make: one free joint, or slides along the
-/// world's x and z and then a hinge about its y, none with an armature; else the base is fixed.
-/// Faults where a free joint is not alone, or has an armature that may not be dropped: no base of
-/// ours holds one.
-MjcfBase base_of(const Placed& pose, const std::vector<MjcfJoint>& joints, bool drops_armature,
+/// The base that the joints of a top body at this pose make: one free joint, or three slides and
+/// three hinges (a ball joint's, too) that no actuator drives, which move a body as freely; slides
+/// along the world's x and z and then a hinge about its y: a planar one; none with an armature.
+/// Else the base is fixed. `driven`: joints with an actuator. Faults where a free joint is not
+/// alone, or has an armature that may not be dropped: no base of ours holds one.
+MjcfBase base_of(const Placed& pose, const std::vector<MjcfJoint>& joints,
+                 const std::map<std::string, std::string>& driven, bool drops_armature,
                  Faults& faults);
 
 }  // namespace torquewright::hopper

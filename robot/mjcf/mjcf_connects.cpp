@@ -51,6 +51,7 @@ void MjcfLandmarks::add(const Element& body, const std::vector<Placed>& held,
 std::optional<Connect> read_connect(const Element& connect, const MjcfLandmarks& landmarks,
                                     const std::vector<DraftPlace>& merged_places,
                                     const std::vector<DraftBody>& draft,
+                                    const std::vector<std::string>& opened,
                                     const MjcfContext& context) {
   const bool has_sites = find_attribute(connect, "site1") != nullptr;
   Connect read{&connect, {}, {}};
@@ -59,6 +60,7 @@ std::optional<Connect> read_connect(const Element& connect, const MjcfLandmarks&
     read.names[i] = attribute(connect, key);
     if (read.names[i].empty()) read.names[i] = "world";
   }
+  if (is_opened(read, opened)) return read;
   const auto refused = [&](const char* why) {
     context.faults.report(connect, fmt::format("closes a loop between \"{}\" and \"{}\": {}",
                                                read.names[0], read.names[1], why));
@@ -73,7 +75,9 @@ std::optional<Connect> read_connect(const Element& connect, const MjcfLandmarks&
   const auto one = landmarks.bodies.find(read.names[0]);
   const auto other = landmarks.bodies.find(read.names[1]);
   if (one == landmarks.bodies.end() || other == landmarks.bodies.end()) {
-    return refused("both must be bodies of the robot; a loop over the world is no mechanism here");
+    return refused(
+        "both must be bodies of the robot; a loop over the world is no mechanism here (--open-loop "
+        "NAME leaves it out)");
   }
   const auto anchor_m = context.faults.numbers(connect, "anchor", 3);
   if (!anchor_m) return refused("its anchor is missing");

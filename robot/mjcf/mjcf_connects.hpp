@@ -24,10 +24,12 @@ struct MjcfLandmarks {
 
 /// A <connect>, in drafts without welds: by bodies and the anchor in the first one, which the other
 /// has where all bodies stand as the file puts them; or by sites. `merged_places` are those of the
-/// drafts as they were read. A fault, and nothing, where an end is no part of the robot.
+/// drafts as they were read. A fault, and nothing, where an end is no part of the robot. Of one
+/// that is_opened() its names alone.
 std::optional<Connect> read_connect(const Element& connect, const MjcfLandmarks& landmarks,
                                     const std::vector<DraftPlace>& merged_places,
                                     const std::vector<DraftBody>& draft,
+                                    const std::vector<std::string>& opened,
                                     const MjcfContext& context);
 
 }  // namespace torquewright::hopper

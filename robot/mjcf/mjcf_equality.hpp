@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "robot/draft/import_options.hpp"
 #include "robot/mjcf/mjcf_defaults.hpp"
 #include "robot/xml/xml.hpp"
 
@@ -12,9 +16,10 @@ struct Equalities {
   std::vector<std::string> freed;  ///< In sentences: what is left out.
 };
 
-/// The equalities on the tree below this body. Faults for each that is neither a <connect> nor,
-/// where couplings of joints and tendons may be left out, one of these.
+/// The equalities on the tree below this body. Faults for each that is neither a <connect> nor left
+/// out by the options: a coupling of joints or tendons, or what is called as a loop that is opened.
+/// Of the options' opened loops those that are a <connect>'s, or nothing's, are left.
 Equalities read_equalities(const Element& mujoco, const Element& top, const MjcfDefaults& defaults,
-                           bool frees_couplings, Faults& faults);
+                           ImportFileOptions& options, Faults& faults);
 
 }  // namespace torquewright::hopper

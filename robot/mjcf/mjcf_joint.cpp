@@ -18,6 +18,9 @@ void read_range(const Element& element, double unit, const MjcfContext& context,
                 dynamics::JointLimits& limits) {
   const auto range = context.faults.numbers(element, "range", 2);
   if (!range || !is_limited(element, "limited", context)) return;
+  // What is not said to hold and leaves nothing is MuJoCo's own default: no range.
+  const bool is_default = range->front() == 0 && range->back() == 0;
+  if (is_default && attribute(element, "limited") != "true") return;
   if (!(range->front() < range->back())) {
     context.faults.report(element, "the range's first number is not below its second");
     return;

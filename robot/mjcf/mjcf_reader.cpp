@@ -22,6 +22,7 @@
 #include "robot/mjcf/mjcf_inertia.hpp"
 #include "robot/mjcf/mjcf_meshes.hpp"
 #include "robot/mjcf/mjcf_pairs.hpp"
+#include "robot/mjcf/mjcf_postures.hpp"
 #include "robot/mjcf/mjcf_shapes.hpp"
 #include "robot/mjcf/mjcf_vocabulary.hpp"
 
@@ -62,8 +63,7 @@ class MjcfReader {
     const std::vector<Placed> bodies = bodies_of_world();
     const Placed* top = chosen(bodies);
     faults_.refuse();
-    Equalities equalities =
-        read_equalities(root_, *top->element, defaults_, options_.frees_couplings, faults_);
+    Equalities equalities = read_equalities(root_, *top->element, defaults_, options_, faults_);
     for (std::string& note : equalities.freed) imported_.notes.push_back(std::move(note));
     has_loops_ = !equalities.connects.empty();
     if (has_loops_ && compiler_.is_global) {
@@ -77,6 +77,7 @@ class MjcfReader {
     limit_efforts();
     if (has_loops_) open_loops(equalities.connects);
     finish(draft_, options_, imported_, faults_);
+    read_keyframes(root_, defaults_, imported_);
     note_names();
     for (std::string& note : vocabulary_.notes()) imported_.notes.push_back(std::move(note));
     return std::move(imported_);
@@ -189,7 +190,9 @@ class MjcfReader {
         joints.front().is_free) {
       faults_.report(body, "needs a pos: in global coordinates a body that floats has none else");
     }
-    const MjcfBase base = base_of(pose, joints, options_.drops_base_armature, faults_);
+    const MjcfBase base = base_of(pose, joints, driven_joints(root_, context_),
+                                  options_.drops_base_armature, faults_);
+    if (base.kind != BaseKind::kFixed) split_balls_.clear();  // the base's own
     imported_.robot.tree.base = base.kind;
     imported_.notes.insert(imported_.notes.end(), base.notes.begin(), base.notes.end());
     draft_.emplace_back();
@@ -244,9 +247,17 @@ class MjcfReader {
   void note_passive(const MjcfJoint& ball) {
     if (!ball.joint.passive.is_none()) {
       imported_.notes.push_back(
-          fmt::format("line {}: damping, friction and spring of a ball joint are left behind: they "
-                      "count about other axes than its hinges'",
-                      ball.element->line));
+          fmt::format("line {}: damping of {:.4g} N m s/rad, dry friction of {:.4g} N m and "
+                      "stiffness of {:.4g} N m/rad of a ball joint are left behind: they count "
+                      "about other axes than its hinges'",
+                      ball.element->line, ball.joint.passive.damping,
+                      ball.joint.passive.dry_friction, ball.joint.passive.stiffness));
+    }
+    if (ball.joint.reflected_inertia != 0) {
+      imported_.notes.push_back(
+          fmt::format("line {}: the armature of {:.4g} kg m2 of a ball joint is each of its three "
+                      "hinges', exactly where the second stands at zero",
+                      ball.element->line, ball.joint.reflected_inertia));
     }
   }
 
@@ -277,7 +288,8 @@ class MjcfReader {
     std::vector<Connect> loops;
     for (const Element* element : connects) {
       vocabulary_.check(*element);
-      const auto loop = read_connect(*element, landmarks_, whole.places, draft_, context_);
+      const auto loop =
+          read_connect(*element, landmarks_, whole.places, draft_, options_.opened_loops, context_);
       if (loop) loops.push_back(*loop);
     }
     faults_.refuse();

@@ -15,10 +15,15 @@ std::span<const Words> mjcf_words() {
   using enum Words::Kind;
   static constexpr Words kWords[] = {
       {"mujoco", kAttributes, kRead, "model"},
-      {"mujoco", kChildren, kRead, "compiler option default worldbody equality actuator tendon"},
+      {"mujoco", kChildren, kRead,
+       "compiler option default worldbody equality actuator tendon keyframe"},
       {"mujoco", kChildren, kNeutral,
-       "asset contact sensor keyframe visual statistic custom size extension"},
+       "asset contact sensor visual statistic custom size extension"},
       {"mujoco", kChildren, kRefused, "deformable", "bodies that bend are no rigid bodies"},
+
+      {"keyframe", kChildren, kRead, "key"},
+      {"key", kAttributes, kRead, "name qpos"},
+      {"key", kAttributes, kNeutral, "time qvel act ctrl mpos mquat"},
 
       {"compiler", kAttributes, kRead,
        "angle eulerseq autolimits inertiafromgeom inertiagrouprange boundmass boundinertia "

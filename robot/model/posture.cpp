@@ -13,6 +13,15 @@ Eigen::VectorXd position_of(const dynamics::Tree& tree, const Posture& posture) 
   return position;
 }
 
+const Posture* standing_posture(const std::vector<Posture>& postures) {
+  const Posture* home = nullptr;
+  for (const Posture& posture : postures) {
+    if (posture.name == "stand") return &posture;
+    if (posture.name == "home" && !posture.joints.isZero(0.0)) home = &posture;
+  }
+  return home;
+}
+
 double pitch_inertia_kg_m2(const dynamics::Tree& tree, const Posture& posture) {
   dynamics::TreeState state(tree);
   state.set(position_of(tree, posture), Eigen::VectorXd::Zero(tree.velocity_size()));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/LU>
+
 #include "dynamics/momentum.hpp"
 #include "robot/model/whole_body.hpp"
 
@@ -21,5 +23,12 @@ class RobotCentroid {
  private:
   WholeBody body_;
 };
+
+/// As pitch_inertia_kg_m2() of a tree, with what links of loops weigh.
+inline double pitch_inertia_kg_m2(const Robot& robot, const Posture& posture) {
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(robot.tree.velocity_size());
+  const dynamics::Centroid all = RobotCentroid(robot).at(position_of(robot.tree, posture), still);
+  return 1.0 / all.inertia_kg_m2.inverse()(1, 1);
+}
 
 }  // namespace torquewright::hopper

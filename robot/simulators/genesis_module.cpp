@@ -58,10 +58,13 @@ def set_up(entity):
     entity.set_dofs_force_range([-peak for peak in peaks], peaks, dofs_of(entity))
 
 
-def apply(entity, torques, voltage=None, temperature=None):
-    """Before each step: what the motors can have of the torques [Nm] of DRIVEN. Returns it."""
+def apply(entity, torques, voltage=None, temperature=None, strength=1.0):
+    """Before each step: what the motors can have of the torques [Nm] of DRIVEN. Returns it.
+
+    strength: factors on what they then make, a number or one for each environment and joint.
+    """
     dofs = dofs_of(entity)
-    reached = within(torques, entity.get_dofs_velocity(dofs), voltage, temperature)
+    reached = strength * within(torques, entity.get_dofs_velocity(dofs), voltage, temperature)
     entity.control_dofs_force(reached, dofs)
     return reached
 )",

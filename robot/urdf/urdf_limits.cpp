@@ -30,6 +30,15 @@ void UrdfLimits::read(const Element& limit, bool has_range, DraftBody& draft) {
   if (speed > 0) draft.body.joint.limits.speed_max = speed;
 }
 
+void UrdfLimits::read_none(DraftBody& draft) {
+  if (!welds_locked_) {
+    freed_.push_back(draft.body.joint.name);
+    return;
+  }
+  draft.body.joint.limits.position_min = draft.body.joint.limits.position_max = 0;
+  weld(false, draft);
+}
+
 void UrdfLimits::read_range(const Element& limit, DraftBody& draft) {
   dynamics::JointLimits& limits = draft.body.joint.limits;
   const double lower = faults_->limit(limit, "lower").value_or(0);

@@ -21,6 +21,9 @@ class UrdfLimits {
   /// type have one.
   void read(const Element& limit, bool has_range, DraftBody& draft);
 
+  /// Of a joint that ranges are for, and that has no <limit>.
+  void read_none(DraftBody& draft);
+
   /// Which joints were welded or freed, or state limits of 0, in sentences.
   std::vector<std::string> notes() const;
 

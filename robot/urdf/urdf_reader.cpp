@@ -177,8 +177,11 @@ class UrdfReader {
       if (along.norm() < 1e-6 && !draft.is_welded) faults_.report(*axis, "has no direction");
       if (along.norm() >= 1e-6) joint.axis = along.normalized();
     }
+    const bool has_range = type == "revolute" || type == "prismatic";
     if (const Element* limit = faults_.only_child(element, "limit")) {
-      limits_.read(*limit, type == "revolute" || type == "prismatic", draft);
+      limits_.read(*limit, has_range, draft);
+    } else if (has_range) {
+      limits_.read_none(draft);
     }
     if (faults_.only_child(element, "mimic") != nullptr) {
       imported_.notes.push_back(fmt::format(

@@ -28,7 +28,9 @@ std::filesystem::path mesh_file(std::string name, const std::filesystem::path& f
   name.erase(0, kPackage.size());
   const std::string place = name.substr(std::min(name.size(), name.find('/') + 1));
   std::error_code unknown;
-  for (std::filesystem::path at = std::filesystem::absolute(folder);; at = at.parent_path()) {
+  // A file that is named alone has no folder, of which nothing absolute can be made.
+  const std::filesystem::path begin = std::filesystem::absolute(folder.empty() ? "." : folder);
+  for (std::filesystem::path at = begin.lexically_normal();; at = at.parent_path()) {
     for (const std::string& tried : {name, place}) {
       if (std::filesystem::is_regular_file(at / tried, unknown)) return at / tried;
     }

@@ -116,8 +116,11 @@ std::string Faults::one_of(const Element& element, const char* name,
 Element read_root(const std::filesystem::path& file, const std::string& name) {
   Element root = read_element(file);
   if (root.name == name) return root;
+  std::string advice;
+  if (root.name == "robot") advice = ": URDF, which --format urdf reads";
+  if (root.name == "mujoco") advice = ": MJCF, which --format mjcf reads";
   throw io::SpecError(
-      {{file.string(), "", fmt::format("must hold <{}>, not <{}>", name, root.name)}});
+      {{file.string(), "", fmt::format("must hold <{}>, not <{}>{}", name, root.name, advice)}});
 }
 
 }  // namespace torquewright::hopper

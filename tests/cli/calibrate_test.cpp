@@ -54,7 +54,7 @@ TEST_F(Calibrate, MeetsThePublishedFiguresByAValley) {
   EXPECT_EQ(fitted["bodies"][0]["inertia_kg_m2"]["xx"], report["free"][0]["fitted"]);
   const std::vector<std::string> assumed = fitted["assumed"];
   EXPECT_EQ(std::count(assumed.begin(), assumed.end(), "/bodies/0/inertia_kg_m2/yy"), 1);
-  EXPECT_EQ(fitted["provenance"].size(), 4u);
+  EXPECT_EQ(fitted["provenance"].size(), 6u);
   const Outcome again =
       place_.run({"hopper", "calibrate", "fitted.json", "--target", "cam=6", "--target",
                   "cav=7.4:10.6", "--free", "/postures/tuck/knee", "--tolerance", "0.001"});

@@ -72,10 +72,28 @@ TEST(RobotExport, RefusesWhatAFormatCannotHold) {
     EXPECT_NE(outcome.err.find(refused.says), std::string::npos) << outcome.err;
     EXPECT_FALSE(place.has("written")) << refused.says;
   }
+  const Outcome driveless = place.run({"robot", "export", in_specs("robot/rabbit.json"), "--format",
+                                       "playground", "--randomise", "tolerances"});
+  EXPECT_EQ(driveless.exit_code, 2);
+  EXPECT_NE(driveless.err.find("tolerances are of drives"), std::string::npos) << driveless.err;
   const Outcome bare = place.run(
       {"robot", "export", in_specs("robot/rabbit.json"), "--format", "gazebo", "--actuators"});
   EXPECT_EQ(bare.exit_code, 2);
   EXPECT_NE(bare.err.find("there are no drives"), std::string::npos) << bare.err;
+}
+
+// The catalogue's 10 % of both drives, whose torque constants state no tolerance.
+TEST(RobotExport, RandomisesByTheDrivesOwnTolerances) {
+  Workplace place;
+  const Outcome outcome =
+      exported(place, {"--format", "newton", "--actuators", "--randomise", "tolerances"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const char* line :
+       {"# Randomisation: tolerances of the drives' own documents (docs/lint.md).",
+        "# Assumed: knee: motor strength within 10 %, a catalogue's, for the document states none",
+        "    (\"ankle_roll\", 0.9, 1.1),"}) {
+    EXPECT_NE(outcome.out.find(line), std::string::npos) << line;
+  }
 }
 
 }  // namespace

@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <filesystem>
 #include <numbers>
 
+#include "robot/mjcf/mjcf_reader.hpp"
+#include "robot/model/robot_centroid.hpp"
 #include "robot/model/robot_spec.hpp"
+#include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::hopper::calibration {
 namespace {
@@ -47,6 +51,44 @@ TEST(PitchInertia, IsThatOfTheParallelAxisTheorem) {
   for (const double angle_rad : {0.0, 0.5, 1.7, std::numbers::pi}) {
     const Posture posture{"", Eigen::VectorXd::Constant(1, angle_rad)};
     EXPECT_NEAR(pitch_inertia_kg_m2(robot.tree, posture), two_bar_inertia_kg_m2(angle_rad), 1e-14);
+  }
+}
+
+/// A knee beside which a crank of 2 kg turns by a rod of 1 kg.
+std::string with_heavy_rod() {
+  return R"(<mujoco><compiler angle="radian"/><worldbody><body name="trunk"><freejoint/>
+  <inertial pos="0.02 0 0.05" mass="6" diaginertia="0.08 0.07 0.05"/>
+  <body name="crank" pos="0 0 0.3"><joint name="c" axis="0 1 0"/>
+  <inertial pos="0.04 0 0" mass="2" diaginertia="4e-3 5e-3 3e-3"/>
+  <body name="rod" pos="0.08 0 0"><joint name="r" axis="0 1 0"/>
+  <inertial pos="0 0 -0.15" mass="1" diaginertia="8e-3 8e-3 1e-4"/></body></body>
+  <body name="shank"><joint name="knee" axis="0 1 0" range="-1.2 1.2" limited="true"/>
+  <inertial pos="0.02 0 -0.1" mass="1.5" diaginertia="0.02 0.03 0.015"/>
+  <body name="foot" pos="0 0 -0.2"><joint name="toe" axis="0 1 0"/>
+  <inertial pos="0.03 0 -0.02" mass="0.4" diaginertia="1e-3 1e-3 1e-3"/></body></body></body></worldbody>
+  <equality><connect body1="shank" body2="rod" anchor="0.08 0 0"/></equality></mujoco>)";
+}
+
+// Oracle: the pitch of a velocity that the whole body's mass matrix gives an impulse of pitch,
+// knee held: the inverse of the base's own six rows.
+TEST(PitchInertia, CountsLinksOfLoops) {
+  const test::ScratchFolder folder;
+  const Robot robot = read_mjcf(folder.write("robot.xml", with_heavy_rod())).robot;
+  WholeBody body(robot);
+  ASSERT_EQ(body.links().size(), 2u);
+  const Eigen::Index size = robot.tree.velocity_size();
+  Eigen::MatrixXd mass(size, size);
+  for (const double angle_rad : {-0.7, 0.0, 0.9}) {
+    const Posture posture{"", Eigen::VectorXd::Constant(2, angle_rad)};
+    ASSERT_TRUE(body.set(position_of(robot.tree, posture), Eigen::VectorXd::Zero(size)));
+    body.mass_matrix(mass);
+    const Eigen::MatrixXd held = mass.topLeftCorner<6, 6>().inverse();
+    const double found_kg_m2 = pitch_inertia_kg_m2(robot, posture);
+    EXPECT_NEAR(found_kg_m2, 1 / held(4, 4), 1e-12);
+    EXPECT_GT(found_kg_m2, pitch_inertia_kg_m2(robot.tree, posture) + 0.05);
+
+    Question question{robot.tree, {posture}, {}, {1.0, {{0, 1.0}}, .01}, robot};
+    EXPECT_EQ(inertias_kg_m2(question, {}), std::vector<double>{found_kg_m2});
   }
 }
 

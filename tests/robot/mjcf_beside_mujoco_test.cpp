@@ -80,6 +80,8 @@ std::vector<Case> cases() {
                                    R"(<joint name="b" axis="0 0 1" ref="20" pos="0.1 0 0"/>
           <joint name="c" type="slide" axis="1 0 0" ref="-0.3"/><joint name="d" axis="0 0.6 0.8" pos="0 0.2 0"/>)" +
                                        std::string(kPart))},
+      {"RangeOfZeros",
+       arm("", kHinge, R"(<joint name="b" axis="0 0 1" range="0 0"/>)" + std::string(kPart))},
       {"SecondWorldbody", two_worlds},
       {"SetTotalMass", arm("<compiler settotalmass=\"30\"/>" + other, kHinge, fore), "", {"trunk"}},
       {"InertiaFromGeom", arm("<compiler inertiafromgeom=\"true\"/>",

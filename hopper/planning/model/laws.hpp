@@ -14,6 +14,7 @@
 #include "hopper/planning/plane/sagittal_dynamics.hpp"
 #include "hopper/planning/plane/stance.hpp"
 #include "hopper/planning/region/drive_region.hpp"
+#include "hopper/planning/region/line_loss.hpp"
 
 namespace torquewright::hopper {
 
@@ -219,6 +220,8 @@ struct PlanSupply {
   std::vector<std::size_t> drives;
   double open_V = 0.0;
   double resistance_ohm = 0.0;
+  /// Between it and each of the drives, in their order; 0 of a drive alone.
+  std::vector<double> lines_ohm;
 };
 
 /// Law of what drives can do. Variables: joints (k), their rates (k), their accelerations (k),
@@ -258,12 +261,15 @@ struct DriveLaw {
     for (Eigen::Index i = 0; i < k; ++i) rows[row++] = motion.joint_Nm[i];
     for (const PlanSupply& supply : *supplies) {
       if (!(supply.resistance_ohm > 0.0)) continue;
-      T power_W(0.0);
-      for (const std::size_t drive : supply.drives) {
-        const auto i = static_cast<Eigen::Index>(drive);
-        power_W += (*regions)[drive].bus_power_W<T>(torque[i], motion.speed_rad_s[i], bus[drive]);
-      }
       const T& volt = bus[supply.drives.front()];
+      T power_W(0.0);
+      for (std::size_t place = 0; place < supply.drives.size(); ++place) {
+        const std::size_t drive = supply.drives[place];
+        const auto i = static_cast<Eigen::Index>(drive);
+        power_W += drawn_behind_line_W<T>(
+            volt, supply.lines_ohm[place],
+            (*regions)[drive].bus_power_W<T>(torque[i], motion.speed_rad_s[i], volt));
+      }
       rows[row++] = volt - volt * volt * (1.0 / supply.open_V) -
                     power_W * (supply.resistance_ohm / supply.open_V);
     }

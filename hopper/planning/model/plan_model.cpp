@@ -117,8 +117,9 @@ PlanModel plan_model(const Robot& robot, const PlanOptions& options) {
   std::vector<bool> shares_battery(drives.size(), false);
   for (const DriveSupply& supply : drive_supplies(drives, options.check.conditions)) {
     const bool is_stiff = options.limits == DriveLimits::kBox;
-    supplies->push_back({supply.drives, supply.supply.open_circuit_V,
-                         is_stiff ? 0.0 : supply.supply.resistance_ohm});
+    supplies->push_back(
+        {supply.drives, supply.supply.open_circuit_V, is_stiff ? 0.0 : supply.supply.resistance_ohm,
+         is_stiff ? std::vector<double>(supply.drives.size(), 0.0) : supply.lines_ohm});
     for (const std::size_t drive : supply.drives) shares_battery[drive] = supply.drives.size() > 1;
   }
   auto regions = std::make_shared<std::vector<DriveRegion>>();

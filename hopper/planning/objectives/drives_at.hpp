@@ -13,6 +13,7 @@ struct DriveStateOf {
   dynamics::VectorX<T> torque_Nm;
   dynamics::VectorX<T> speed_rad_s;
   dynamics::VectorX<T> bus_V;
+  std::vector<double> lines_ohm;  ///< Between the bus and each.
 };
 
 /// The first of an objective's variables, of an instant: joints (k), their rates (k), drives (d),
@@ -39,15 +40,19 @@ class DrivesAt {
   template <typename T>
   DriveStateOf<T> state(const dynamics::VectorX<T>& x) const {
     const dynamics::VectorX<T> none = dynamics::VectorX<T>::Zero(joints());
-    DriveStateOf<T> out{x.segment(2 * joints(), drives()), {}, dynamics::VectorX<T>(drives())};
+    DriveStateOf<T> out{x.segment(2 * joints(), drives()),
+                        {},
+                        dynamics::VectorX<T>(drives()),
+                        std::vector<double>(static_cast<std::size_t>(drives()))};
     out.speed_rad_s = drive_motion<T>(*plane_, x.head(joints()), x.segment(joints(), joints()),
                                       none, out.torque_Nm)
                           .speed_rad_s;
     Eigen::Index next = 2 * joints() + drives();
     for (const PlanSupply& supply : *supplies_) {
       const T volt = supply.resistance_ohm > 0.0 ? x[next++] : T(supply.open_V);
-      for (const std::size_t drive : supply.drives) {
-        out.bus_V[static_cast<Eigen::Index>(drive)] = volt;
+      for (std::size_t place = 0; place < supply.drives.size(); ++place) {
+        out.bus_V[static_cast<Eigen::Index>(supply.drives[place])] = volt;
+        out.lines_ohm[supply.drives[place]] = supply.lines_ohm[place];
       }
     }
     return out;

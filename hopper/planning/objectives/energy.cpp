@@ -19,8 +19,11 @@ struct EnergyLaw {
     const DriveStateOf<T> state = drives.state<T>(x);
     T power_W(0.0);
     for (Eigen::Index i = 0; i < drives.drives(); ++i) {
-      power_W += drives.regions()[static_cast<std::size_t>(i)].bus_power_W<T>(
-          state.torque_Nm[i], state.speed_rad_s[i], state.bus_V[i]);
+      const auto drive = static_cast<std::size_t>(i);
+      power_W +=
+          drawn_behind_line_W<T>(state.bus_V[i], state.lines_ohm[drive],
+                                 drives.regions()[drive].bus_power_W<T>(
+                                     state.torque_Nm[i], state.speed_rad_s[i], state.bus_V[i]));
     }
     rows[0] = factor * x[x.size() - 1] * power_W;
   }

@@ -44,6 +44,7 @@ class KeyFrames {
   PlannedMotion make(const std::vector<MeshPhase>& mesh, const PlanGoal& goal);
 
  private:
+  VectorXd moving_joints(const Posture& posture) const;
   VectorXd named(const char* name, const VectorXd& otherwise) const;
   VectorXd bent(double share) const;
   Frame standing(const VectorXd& joints) const;
@@ -83,15 +84,18 @@ VectorXd KeyFrames::held(const Frame& frame, std::size_t sole_point,
   return position(frame, {at.x() - c * arm.x() - s * arm.z(), at.y() + s * arm.x() - c * arm.z()});
 }
 
+VectorXd KeyFrames::moving_joints(const Posture& posture) const {
+  const std::vector<std::size_t>& bodies = model_.plane.joints;
+  VectorXd joints(static_cast<Index>(bodies.size()));
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    joints[static_cast<Index>(i)] = posture.joints[static_cast<Index>(bodies[i]) - 1];
+  }
+  return joints;
+}
+
 VectorXd KeyFrames::named(const char* name, const VectorXd& otherwise) const {
   for (const Posture& posture : model_.plane.robot.postures) {
-    if (posture.name != name) continue;
-    VectorXd joints(otherwise.size());
-    for (std::size_t i = 0; i < model_.plane.joints.size(); ++i) {
-      joints[static_cast<Index>(i)] =
-          posture.joints[static_cast<Index>(model_.plane.joints[i]) - 1];
-    }
-    return joints;
+    if (posture.name == name) return moving_joints(posture);
   }
   return otherwise;
 }
@@ -160,7 +164,8 @@ void KeyFrames::perturb(std::vector<Frame>& frames) {
 }
 
 PlannedMotion KeyFrames::make(const std::vector<MeshPhase>& mesh, const PlanGoal& goal) {
-  const Frame crouch = standing(balanced(model_, named("stand", bent(0.5))));
+  const Posture* stand = standing_posture(model_.plane.robot.postures);
+  const Frame crouch = standing(balanced(model_, stand ? moving_joints(*stand) : bent(0.5)));
   const Frame take_off = standing(named("takeoff", bent(0.5)));
   const VectorXd tuck = goal.turn_rad != 0.0 ? named("tuck", bent(0.95)) : take_off.joints;
   const auto first_flight = std::find_if(

@@ -134,10 +134,9 @@ PlanGoal plan_goal(const PlanModel& model, const PlanOptions& options) {
     const double quarter = 0.25 * (range.upper - range.lower);
     goal.standing_rad.push_back({range.lower + quarter, range.upper - quarter});
   }
-  for (const Posture& posture : model.plane.robot.postures) {
-    if (posture.name != "stand") continue;
+  if (const Posture* posture = standing_posture(model.plane.robot.postures)) {
     for (std::size_t i = 0; i < model.plane.joints.size(); ++i) {
-      const double rad = posture.joints[static_cast<Index>(model.plane.joints[i]) - 1];
+      const double rad = posture->joints[static_cast<Index>(model.plane.joints[i]) - 1];
       goal.standing_rad[i] = {rad, rad};
     }
     const std::size_t free = balancing_joint(model.plane);

@@ -10,7 +10,7 @@ namespace torquewright::hopper {
 /// for `options.intervals` in all, more where contacts change.
 std::vector<MeshPhase> first_mesh(const std::vector<Stance>& stances, const PlanOptions& options);
 
-/// What the options' task asks for. Standing is the posture "stand" of the document, the joint
+/// What the options' task asks for. Standing is standing_posture() of the document, the joint
 /// that balances it left open; without one, joints within the middle half of their ranges. A foot
 /// of one point stands at any pitch, the base level. io::SpecError where it cannot stand like that.
 PlanGoal plan_goal(const PlanModel& model, const PlanOptions& options);

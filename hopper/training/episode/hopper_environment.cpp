@@ -161,7 +161,7 @@ class HopperEnvironment::Work {
     PoweredDriveOptions powered{
         options_->limits,
         conditions_of(trial_, voltage_as_condition(ready_.robot, trial_, options_->conditions)),
-        trial_.further_friction_Nm};
+        trial_.further_friction_Nm, trial_.motor_strength_factor};
     if (is_fresh) {
       moved_.reset();
       moved_robot_ = without_free_rotors(perturbed(ready_.robot, bodies));
@@ -175,8 +175,8 @@ class HopperEnvironment::Work {
 
   bool differs_in_drives() const {
     const Randomisation& from = options_->randomisation;
-    return !from.further_friction_Nm.empty() || from.state_of_charge || from.bus_voltage_factor ||
-           from.winding_temperature_K;
+    return !from.further_friction_Nm.empty() || !from.motor_strength_factor.empty() ||
+           from.state_of_charge || from.bus_voltage_factor || from.winding_temperature_K;
   }
 
   void look() {

@@ -12,6 +12,7 @@
 #include "io/faults/refusal.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/files/given_once.hpp"
+#include "robot/model/whole_body.hpp"
 #include "src/commands/robot/hopper_calibrate_json.hpp"
 #include "src/report/parts/gnuplot.hpp"
 #include "src/standard_output.hpp"
@@ -175,6 +176,7 @@ calibration::Question question_of(const CalibrationRequest& request, const io::D
   calibration::Question question;
   question.tree = robot.tree;
   question.postures = robot.postures;
+  if (!hopper::WholeBody(robot).links().empty()) question.with_links = robot;
   question.figures.tolerance = request.tolerance;
   for (const std::string& target : request.targets) read_target(target, robot, question.figures);
   if (question.figures.angular_momentum_Nm_s == 0.0) {

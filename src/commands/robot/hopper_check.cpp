@@ -35,8 +35,8 @@ hopper::HopperReport check_whole_body(const HopperCheckInputs& inputs, hopper::M
 /// Behind all others: they are notes.
 void add_column_findings(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
                          actuator::CheckReport& report) {
-  const hopper::MotionFile source{request.trajectory_file, request.columns, inputs.columns, {}};
-  std::vector<actuator::Finding> more = hopper::column_findings(inputs.robot.robot, source);
+  std::vector<actuator::Finding> more =
+      hopper::column_findings(inputs.robot.robot, motion_file(request));
   std::move(more.begin(), more.end(), std::back_inserter(report.findings));
 }
 

@@ -10,6 +10,7 @@
 #include "actuator/exporters/every_exporter.hpp"
 #include "actuator/exporters/library.hpp"
 #include "actuator/exporters/text.hpp"
+#include "hopper/randomised_files/drives_tolerances.hpp"
 #include "hopper/randomised_files/event_file.hpp"
 #include "hopper/trials/randomisation_spec.hpp"
 #include "io/faults/refusal.hpp"
@@ -107,20 +108,35 @@ void require_parts(const ExportOptions& options) {
   require_friction(options);
 }
 
-/// The robot, and what varies of it, with the documents of both.
+/// Where a document's name would stand: ranges of the drives' own documents.
+constexpr char kTolerances[] = "tolerances";
+
+/// The robot, and what varies of it.
 struct ExportInputs {
   hopper::ReadRobot robot;
-  std::optional<hopper::ReadRandomisation> randomisation;
+  std::optional<hopper::Randomisation> randomisation;
 };
+
+std::optional<hopper::Randomisation> asked_randomisation(const ExportOptions& options,
+                                                         const hopper::Robot& robot) {
+  if (options.randomisation_file.empty()) return std::nullopt;
+  if (options.randomisation_file != kTolerances) {
+    return hopper::read_randomisation(options.randomisation_file).randomisation;
+  }
+  if (robot.drivetrains.empty()) {
+    io::refuse("--randomise", "tolerances are of drives, and the robot has none");
+  }
+  return hopper::tolerances_of_drives(robot);
+}
 
 ExportInputs read(const ExportOptions& options) {
   require_parts(options);
   ExportInputs inputs{hopper::read_robot(options.robot_file), std::nullopt};
   hopper::ReadRobot& robot = inputs.robot;
-  if (!options.randomisation_file.empty()) {
-    inputs.randomisation = hopper::read_randomisation(options.randomisation_file);
-    hopper::require_fits(inputs.randomisation->randomisation, robot.robot);
-    if (options.parts.servos && inputs.randomisation->randomisation.bus_voltage_factor) {
+  inputs.randomisation = asked_randomisation(options, robot.robot);
+  if (inputs.randomisation) {
+    hopper::require_fits(*inputs.randomisation, robot.robot);
+    if (options.parts.servos && inputs.randomisation->bus_voltage_factor) {
       throw io::SpecError({{options.randomisation_file, "/bus_voltage_factor",
                             "with --servos controls are angles, and no voltage is there to vary: "
                             "leave the key or --servos out"}});
@@ -178,9 +194,8 @@ hopper::Exported without_randomisation(const ExportOptions& options,
 hopper::Exported compute(const ExportOptions& options, const ExportInputs& inputs) {
   hopper::Exported exported = without_randomisation(options, inputs.robot);
   if (!inputs.randomisation) return exported;
-  exported.text +=
-      hopper::events_of(*hopper::find_event_writer(options.format),
-                        inputs.randomisation->randomisation, inputs.robot.robot, exported.notes);
+  exported.text += hopper::events_of(*hopper::find_event_writer(options.format),
+                                     *inputs.randomisation, inputs.robot.robot, exported.notes);
   return exported;
 }
 
@@ -243,7 +258,8 @@ void add_export_command(command_line::Command& robot) {
   command
       .add_option("--randomise", options->randomisation_file,
                   "Document of kind randomisation: write what it draws in the simulator's own form "
-                  "behind the rest (isaac-lab, mjlab, playground)")
+                  "behind the rest (isaac-lab, mjlab, playground, newton, genesis); or "
+                  "tolerances: the motors' strengths that the drives' own documents leave open")
       .otherwise("nothing varies");
   command.add_flag("--ground", options->parts.ground,
                    "MJCF: add a plane, and keyframes of the postures standing on it");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -67,10 +69,33 @@ void refuse_options_of_urdf(const ImportOptions& options) {
   io::refuse("--weld-locked", "is for URDF files: an MJCF file says which of its ranges hold");
 }
 
+/// Of a file, in small letters.
+std::string small_ending_of(const std::string& file) {
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return ending;
+}
+
+/// Formats of robots that are not read, and what makes one that is.
+void refuse_other_formats(const ImportOptions& options) {
+  if (!options.format.empty()) return;
+  const std::string ending = small_ending_of(options.file);
+  const auto refuse = [&](const char* why) { io::refuse(options.file, why); };
+  if (ending == ".xacro")
+    refuse("holds macros, which are not expanded here: `xacro FILE > FILE.urdf`");
+  if (ending == ".sdf" || ending == ".world") {
+    refuse("SDF is written here and not read: import the URDF or MJCF that it was made of");
+  }
+  if (ending == ".usd" || ending == ".usda" || ending == ".usdc" || ending == ".usdz") {
+    refuse("USD is not read: import the URDF or MJCF that it was made of");
+  }
+}
+
 hopper::Imported read(const ImportOptions& options) {
-  const bool is_urdf = options.format.empty()
-                           ? std::filesystem::path(options.file).extension() == ".urdf"
-                           : options.format == "urdf";
+  refuse_other_formats(options);
+  const bool is_urdf =
+      options.format.empty() ? small_ending_of(options.file) == ".urdf" : options.format == "urdf";
   is_urdf ? refuse_options_of_mjcf(options) : refuse_options_of_urdf(options);
   hopper::ImportFileOptions reading = options.reading;
   reading.feet = named_feet(options.feet);

@@ -91,8 +91,11 @@ ExitCode run_workspace(const WorkspaceOptions& options) {
 
 void add_workspace_command(command_line::Command& robot) {
   auto options = std::make_shared<WorkspaceOptions>();
-  command_line::Command command = robot.add_command(
-      "workspace", "Where a mechanism of two joints can stand, and what keeps it from the rest");
+  command_line::Command command =
+      robot.add_command("workspace",
+                        "Where a mechanism of two joints can stand, within their ranges and "
+                        "beyond, and what keeps it "
+                        "from the rest");
   command.add_option("robot", options->robot_file, "Document of kind robot").required();
   command.add_option("--joint", options->joint, "A joint that the mechanism moves")
       .otherwise("the only mechanism of two joints");

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
+#include <set>
 
 namespace torquewright::report {
 namespace {
@@ -33,10 +35,32 @@ std::string block_of(const hopper::Workspace& workspace, const std::string& word
 }
 
 std::string axis_of_joint(const char* axis, const hopper::Workspace& workspace, std::size_t joint) {
-  const dynamics::JointLimits& limits = workspace.limits[joint];
   return fmt::format("set {}label {}\nset {}range [{:.6g}:{:.6g}]\n", axis,
                      gnuplot_quoted(workspace.joints[joint] + ", degrees"), axis,
-                     limits.position_min * kDegrees, limits.position_max * kDegrees);
+                     workspace.places.front().joint_rad[joint] * kDegrees,
+                     workspace.places.back().joint_rad[joint] * kDegrees);
+}
+
+/// The rectangle of both joints' ranges, a line to be closed.
+std::string block_of_ranges(const hopper::Workspace& workspace) {
+  const auto& [first, second] = workspace.limits;
+  std::string text = "$ranges << END\n";
+  for (const auto& [x, y] : {std::pair{first.position_min, second.position_min},
+                             {first.position_max, second.position_min},
+                             {first.position_max, second.position_max},
+                             {first.position_min, second.position_max},
+                             {first.position_min, second.position_min}}) {
+    text += fmt::format("{:.6g} {:.6g}\n", x * kDegrees, y * kDegrees);
+  }
+  return text + "END\n";
+}
+
+/// All words that a place has, those within all limits apart.
+std::set<std::string> words_in_picture(const hopper::Workspace& workspace) {
+  std::set<std::string> words;
+  for (const hopper::WorkspacePlace& place : workspace.places) words.insert(word_of(place));
+  words.erase(kInside);
+  return words;
 }
 
 }  // namespace
@@ -52,20 +76,23 @@ std::string workspace_plot(PlotFormat format, const std::string& title,
   const auto add = [&](const std::string& word, const char* color) {
     script += block_of(workspace, word, block);
     plots += fmt::format(
-        "{}$block{} using 1:2 with points pointtype 5 pointsize 0.45 linecolor rgb '{}' title {}",
+        "{}$block{} using 1:2 with points pointtype 5 pointsize 0.3 linecolor rgb '{}' title {}",
         block == 0 ? "plot " : ", \\\n  ", block, color, gnuplot_quoted(word));
     ++block;
   };
-  const auto kept_out = workspace.kept_out();
-  std::size_t inside = workspace.places.size();
-  for (const auto& [word, count] : kept_out) inside -= count;
-  if (inside > 0) add(kInside, "#0072b2");
-  for (const auto& [word, count] : kept_out) add(word, kColors[block % kColors.size()]);
-  return script + plots + "\n";
+  const bool has_inside = std::any_of(workspace.places.begin(), workspace.places.end(),
+                                      [](const auto& place) { return place.is_inside(); });
+  if (has_inside) add(kInside, "#0072b2");
+  for (const std::string& word : words_in_picture(workspace))
+    add(word, kColors[block % kColors.size()]);
+  return script + block_of_ranges(workspace) + plots +
+         ", \\\n  $ranges using 1:2 with lines linewidth 2 linecolor rgb 'black' title 'the "
+         "joints'' "
+         "ranges'\n";
 }
 
 std::string workspace_text(const hopper::Workspace& workspace) {
-  const auto all = static_cast<double>(workspace.places.size());
+  const auto all = static_cast<double>(workspace.in_range());
   const auto kept_out = workspace.kept_out();
   double outside = 0;
   std::string reasons;
@@ -75,13 +102,18 @@ std::string workspace_text(const hopper::Workspace& workspace) {
   }
   std::string text;
   for (std::size_t i = 0; i < 2; ++i) {
+    const dynamics::JointLimits& limits = workspace.limits[i];
+    const auto [from_rad, to_rad] = workspace.own_range_rad(i);
     text += fmt::format(
-        "{} from {:.4g} to {:.4g} rad ({:.4g} to {:.4g} degrees)\n", workspace.joints[i],
-        workspace.limits[i].position_min, workspace.limits[i].position_max,
-        workspace.limits[i].position_min * kDegrees, workspace.limits[i].position_max * kDegrees);
+        "{} from {:.4g} to {:.4g} rad ({:.4g} to {:.4g} degrees); alone the mechanism lets it "
+        "stand "
+        "from {:.4g} to {:.4g} degrees\n",
+        workspace.joints[i], limits.position_min, limits.position_max,
+        limits.position_min * kDegrees, limits.position_max * kDegrees, from_rad * kDegrees,
+        to_rad * kDegrees);
   }
   return text +
-         fmt::format("of {} postures\n  {:5.1f} %  {}\n", workspace.places.size(),
+         fmt::format("of {} postures within both ranges\n  {:5.1f} %  {}\n", workspace.in_range(),
                      100.0 * (all - outside) / all, kInside) +
          reasons;
 }

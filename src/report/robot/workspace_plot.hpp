@@ -9,7 +9,7 @@
 namespace torquewright::report {
 
 /// A script for gnuplot: the postures of two joints, in degrees, by what keeps their mechanism from
-/// them.
+/// them, and the rectangle of the joints' ranges.
 std::string workspace_plot(PlotFormat format, const std::string& title,
                            const hopper::Workspace& workspace);
 

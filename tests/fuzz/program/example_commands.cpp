@@ -110,6 +110,7 @@ robot export specs/robot/rabbit.json --format urdf -o rabbit.urdf
 robot export specs/robot/cassie.json --format isaac-lab --actuators -o cassie.py
 robot export specs/robot/mini_cheetah.json --format newton --actuators
 robot export specs/robot/hopper.json --format genesis --actuators --randomise specs/randomisation/hopper.json
+robot export specs/robot/hopper.json --format mjlab --actuators --randomise tolerances
 robot export specs/robot/hopper.json --format mjcf --actuators --servos -o servos.xml
 robot export specs/robot/cassie.json --format gazebo --actuators --friction limits -o cassie.sdf
 robot export specs/robot/cassie.json --format drake

@@ -14,6 +14,7 @@
 #include "dynamics/jet_functions.hpp"
 #include "hopper/planning/plane/jet_rows.hpp"
 #include "hopper/planning/programme/flip_program.hpp"
+#include "robot/model/drive_supply.hpp"
 #include "tests/hopper/planning/sagittal_states.hpp"
 
 namespace torquewright::hopper {
@@ -96,6 +97,16 @@ struct Kind {
 };
 
 std::ostream& operator<<(std::ostream& out, const Kind& one) { return out << one.name; }
+
+/// Behind the battery that drives share cables of 0.05 ohm and more lie between it and each.
+std::shared_ptr<const std::vector<PlanSupply>> with_cables(std::vector<PlanSupply> supplies) {
+  for (PlanSupply& supply : supplies) {
+    for (std::size_t i = 0; i < supply.lines_ohm.size(); ++i) {
+      supply.lines_ohm[i] = 0.05 + 0.02 * static_cast<double>(i);
+    }
+  }
+  return std::make_shared<const std::vector<PlanSupply>>(std::move(supplies));
+}
 
 class Laws : public testing::TestWithParam<Kind> {
  protected:
@@ -229,6 +240,7 @@ TEST_P(Laws, OfLinks) {
 }
 
 TEST_P(Laws, OfDrives) {
+  model.supplies = with_cables(*model.supplies);
   const DriveLaw law{&plane, model.regions, model.supplies, model.rotors_kg_m2};
   Index regions = 0, buses = 0;
   for (const DriveRegion& region : *model.regions) regions += static_cast<Index>(region.rows());
@@ -262,14 +274,45 @@ TEST_P(Laws, OfDrives) {
       // E - R I with I = P / V, times V / E: 0 where the battery's law holds.
       const PlanSupply& supply = (*model.supplies)[static_cast<std::size_t>(i)];
       double power_W = 0.0;
-      for (const std::size_t one : supply.drives) {
-        power_W += (*model.regions)[one].bus_power_W<double>(u[static_cast<Index>(one)],
-                                                             drives[one].speed_rad_s, bus[i]);
+      for (std::size_t place = 0; place < supply.drives.size(); ++place) {
+        const std::size_t one = supply.drives[place];
+        power_W += drawn_power_W(bus[i], supply.lines_ohm[place],
+                                 (*model.regions)[one].bus_power_W<double>(
+                                     u[static_cast<Index>(one)], drives[one].speed_rad_s, bus[i]));
       }
       const double law_V = supply.open_V - supply.resistance_ohm * power_W / bus[i];
       EXPECT_NEAR(got[regions + d + k + i], (law_V - bus[i]) * bus[i] / supply.open_V, 1e-9);
     }
     expect_derivatives(*rows, x, dice);
+  }
+}
+
+// Oracle: the circuit itself. Behind a line of 0.2 ohm a drive takes P at V_i = V - R I with I V_i
+// = P, found by halving I below the line's greatest power; the battery gives V I.
+TEST(LineLoss, IsThatOfACircuit) {
+  constexpr double kLine_ohm = 0.2, kBattery_V = 48.0;
+  const double most_W = kBattery_V * kBattery_V / (4.0 * kLine_ohm);
+  for (const double power_W : {-4000.0, -50.0, 0.0, 80.0, 1200.0, 0.89 * most_W}) {
+    double low_A = -kBattery_V / kLine_ohm, high_A = kBattery_V / (2.0 * kLine_ohm);
+    for (int i = 0; i < 200; ++i) {
+      const double middle_A = 0.5 * (low_A + high_A);
+      const bool is_more = (kBattery_V - kLine_ohm * middle_A) * middle_A > power_W;
+      (is_more ? high_A : low_A) = middle_A;
+    }
+    EXPECT_NEAR(drawn_behind_line_W(kBattery_V, kLine_ohm, power_W), kBattery_V * low_A,
+                1e-9 * most_W)
+        << power_W;
+  }
+  EXPECT_EQ(drawn_behind_line_W(kBattery_V, 0.0, 700.0), 700.0);
+}
+
+// Oracle: differences, across where the law becomes a parabola too.
+TEST(LineLoss, IsTwiceContinuouslyDifferentiable) {
+  constexpr double h = 1e-5;
+  for (const double x : {-3.0, -0.2, 0.0, 0.5, 0.89, 0.9 - 2e-6, 0.9 + 2e-6, 1.0, 4.0}) {
+    const Taylor at = line_factor(x), before = line_factor(x - h), after = line_factor(x + h);
+    EXPECT_NEAR(at.x, (after.value - before.value) / (2 * h), 1e-7) << x;
+    EXPECT_NEAR(at.xx, (after.x - before.x) / (2 * h), 5e-4) << x;
   }
 }
 

@@ -8,10 +8,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "hopper/randomised_files/drives_tolerances.hpp"
 #include "hopper/trials/randomisation_spec.hpp"
 #include "robot/mjcf/mjcf_writer.hpp"
 #include "robot/model/mechanism_reach.hpp"
@@ -38,8 +40,12 @@ const Robot& hopper() {
 }
 
 const Randomisation& stated() {
-  static const Randomisation randomisation =
-      read_randomisation(kSpecs + "randomisation/hopper.json").randomisation;
+  static const Randomisation randomisation = [] {
+    Randomisation read = read_randomisation(kSpecs + "randomisation/hopper.json").randomisation;
+    read.motor_strength_factor = {{{0.8, 1.1}, {"knee"}, ""},
+                                  {{0.9, 1.2}, {"ankle_left", "ankle_right"}, ""}};
+    return read;
+  }();
   return randomisation;
 }
 
@@ -106,7 +112,7 @@ TEST(EventFile, IsaacLabDrawsWhatTheDocumentSays) {
   if (!has_numpy()) GTEST_SKIP() << "python3-numpy is not installed";
   std::vector<std::string> notes;
   const auto lines = lines_of("isaac-lab", events("isaac-lab", &notes), 1.0);
-  ASSERT_EQ(lines.size(), 2u);
+  ASSERT_EQ(lines.size(), 3u);
   const json& all = lines[0];
   const auto masses = terms(all, "mdp.randomize_rigid_body_mass");
   ASSERT_EQ(masses.size(), 1u);
@@ -141,6 +147,25 @@ TEST(EventFile, IsaacLabsDryFrictionIsOneNumberAndNoViscousOne) {
   near("joint_friction_coeff", 0.9, 1.0);
   near("joint_dynamic_friction_coeff", 0.8, 0.9);
   near("joint_viscous_friction_coeff", 0.01, 0.02);
+}
+
+// Actuators whose own law gives 10 Nm at each joint: the greatest draw of each joint's drives on
+// it, and nothing on a joint that no drive turns.
+TEST(EventFile, MotorStrengthScalesWhatTheActuatorsGive) {
+  if (!has_numpy()) GTEST_SKIP() << "python3-numpy is not installed";
+  for (const char* simulator : {"isaac-lab", "mjlab"}) {
+    const auto lines = lines_of(simulator, events(simulator), 1.0);
+    const auto drawn = terms(lines[0], "scale_motor_strength");
+    ASSERT_EQ(drawn.size(), 2u) << simulator;
+    EXPECT_EQ(drawn[0].at("asset_cfg").at("joint_names"), json::parse("[\"knee\"]"));
+    EXPECT_EQ(drawn[0].at("strength_range"), json::parse("[0.8, 1.1]"));
+    const json& torques = lines.back().at("torques");
+    ASSERT_EQ(torques.size(), 4u) << simulator;
+    EXPECT_NEAR(torques[0].get<double>(), 11.0, 1e-12) << simulator;  // knee
+    EXPECT_NEAR(torques[1].get<double>(), 12.0, 1e-12) << simulator;  // ankle_pitch
+    EXPECT_NEAR(torques[2].get<double>(), 10.0, 1e-12) << simulator;  // one without a drive
+    EXPECT_NEAR(torques[3].get<double>(), 12.0, 1e-12) << simulator;  // ankle_roll
+  }
 }
 
 TEST(EventFile, FrictionOfCoupledDrivesIsEachJointsByVirtualWork) {
@@ -197,6 +222,13 @@ TEST(EventFile, PlaygroundsModelVariesByTheDocument) {
   EXPECT_EQ(fields.at("geom_friction")[0][0], 0.9);
   EXPECT_EQ(fields.at("geom_friction")[0][1], 0.005);
   EXPECT_EQ(fields.at("actuator_ctrlrange")[0][1], 48.0);
+  // Gain, bias and force range alike: the same law, of another torque.
+  for (const auto& [drive, factor] : {std::pair{"knee", 1.1}, std::pair{"ankle_right", 1.2}}) {
+    const std::size_t at = index(drawn.at("actuators"), drive);
+    EXPECT_NEAR(fields.at("actuator_gainprm")[at][0].get<double>(), 3.0 * factor, 1e-12);
+    EXPECT_NEAR(fields.at("actuator_biasprm")[at][2].get<double>(), -2.0 * factor, 1e-12);
+    EXPECT_NEAR(fields.at("actuator_forcerange")[at][0].get<double>(), -7.0 * factor, 1e-12);
+  }
   for (const auto& [name, axis] : drawn.at("axes").items()) {
     EXPECT_EQ(axis == 0, name != "opt") << name;
   }
@@ -229,6 +261,10 @@ TEST(EventFile, NewtonsBuilderVariesByTheDocument) {
   EXPECT_EQ(drawn.at("joint_friction")[0], 0.1);
   EXPECT_EQ(drawn.at("shape_material_mu")[1], 0.9);
   EXPECT_EQ(drawn.at("shape_material_restitution")[0], 0.2);
+  for (const auto& [joint, factor] :
+       {std::pair{"knee", 1.1}, std::pair{"ankle_pitch", 1.2}, std::pair{"ankle_roll", 1.2}}) {
+    EXPECT_NEAR(drawn.at("strength").at(joint).get<double>(), factor, 1e-12) << joint;
+  }
   EXPECT_TRUE(holds(notes, "bus_voltage_factor"));
 }
 
@@ -256,6 +292,26 @@ TEST(EventFile, GenesisVariesByEnvironment) {
   EXPECT_EQ(drawn.at("frictionloss")[1], json::parse("[6, 7, 8]"));
   EXPECT_NEAR(drawn.at("friction")[0][1][0].get<double>(), 0.9 / 0.5, 1e-12);
   EXPECT_TRUE(holds(notes, "body_inertia_factor"));
+  // A row for each environment, in the order of DRIVEN, the last of which draws nothing.
+  EXPECT_EQ(drawn.at("strength").size(), 2u);
+  const std::array strength = {1.1, 1.2, 1.0};
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_NEAR(drawn.at("strength")[1][i].get<double>(), strength[i], 1e-12);
+  }
+}
+
+// Oracle: the documents: a stated tolerance, that of several sources, and a catalogue's.
+TEST(EventFile, TolerancesAreThoseOfTheDrivesDocuments) {
+  Robot robot = hopper();
+  actuator::Actuator& knee = robot.drivetrains[0].actuators[0];
+  knee.statements.push_back({"/motor/torque_constant_Nm_A", 0.32, {}, {}, 0.05, {}});
+  const Randomisation made = tolerances_of_drives(robot);
+  ASSERT_EQ(made.motor_strength_factor.size(), 3u);
+  EXPECT_EQ(made.motor_strength_factor[0].range.least, 0.95);
+  EXPECT_EQ(made.motor_strength_factor[0].names, std::vector<std::string>{"knee"});
+  EXPECT_EQ(made.motor_strength_factor[1].range.greatest, 1.1);
+  EXPECT_TRUE(holds(made.assumed, "knee: motor strength within 5 %, of /motor/torque_constant"));
+  EXPECT_NO_THROW(require_fits(made, robot));
 }
 
 TEST(EventFile, IsNotForEveryFormat) {

@@ -95,6 +95,7 @@ def print_drawn(space, share):
 
     bodies = ["world"] + re.findall(r'<body name="([^"]*)"', space["MJCF"])
     joints = re.findall(r'<joint name="([^"]*)"', space["MJCF"])
+    actuators = re.findall(r'<(?:general|motor) name="([^"]*)"', space["MJCF"])
 
     class Names:
         @staticmethod
@@ -104,6 +105,10 @@ def print_drawn(space, share):
         @staticmethod
         def joint(name):
             return types.SimpleNamespace(dofadr=[joints.index(name)])
+
+        @staticmethod
+        def actuator(name):
+            return types.SimpleNamespace(id=actuators.index(name))
 
     module("mujoco", MjModel=types.SimpleNamespace(from_xml_string=lambda text: Names))
     random = types.SimpleNamespace(
@@ -118,9 +123,12 @@ def print_drawn(space, share):
                   body_ipos=Array([[0.0, 0.0, 0.0]] * count),
                   dof_frictionloss=Array([0.1] * len(joints)),
                   geom_friction=Array([[1.0, 0.005, 0.0001]] * 2),
-                  actuator_ctrlrange=Array([[-48.0, 48.0]] * 2), opt=Array([0.0]))
+                  actuator_ctrlrange=Array([[-48.0, 48.0]] * 2),
+                  actuator_gainprm=Array([[3.0, 0.0, 0.0]] * len(actuators)),
+                  actuator_biasprm=Array([[0.0, 0.0, -2.0]] * len(actuators)),
+                  actuator_forcerange=Array([[-7.0, 7.0]] * len(actuators)), opt=Array([0.0]))
     drawn, axes = space["domain_randomize"](model, 0)
-    print(json.dumps({"bodies": bodies, "joints": joints, "axes": axes.fields,
+    print(json.dumps({"bodies": bodies, "joints": joints, "actuators": actuators, "axes": axes.fields,
                       "fields": {name: value.values.tolist()
                                  for name, value in drawn.fields.items()}}))
 
@@ -158,6 +166,52 @@ def print_friction(space, share):
     print(json.dumps({name: numpy.array(value).tolist() for name, value in written.items()}))
 
 
+def print_strength(space, simulator, share):
+    """scale_motor_strength on actuators that give 10 Nm at each joint, twice: a draw takes the
+    place of the one before. The joints of two actuators stand mixed in the asset."""
+    module("torch", arange=lambda count, device: numpy.arange(count),
+           tensor=lambda values, device: numpy.array(values), ones=lambda shape, device: numpy.ones(shape),
+           rand=lambda rows, columns, device: numpy.full((rows, columns), share))
+
+    class Actuator:
+        applied_effort = None
+
+        def __init__(self, names):
+            self.joint_names = self._actuated_names = names
+
+        def compute(self, *arguments, **named):
+            torques = numpy.full((1, len(self.joint_names)), 10.0)
+            if simulator == "mjlab":
+                return torques
+            return types.SimpleNamespace(joint_efforts=torques)
+
+    names = ["knee", "ankle_pitch", "free", "ankle_roll"]
+    actuators = {"a": Actuator(["knee", "free"]), "b": Actuator(["ankle_pitch", "ankle_roll"])}
+    asset = types.SimpleNamespace(
+        device="cpu", joint_names=names,
+        actuators=list(actuators.values()) if simulator == "mjlab" else actuators)
+
+    class Scene(dict):
+        num_envs = 1
+
+    env = types.SimpleNamespace(scene=Scene(robot=asset))
+    for _ in range(2):
+        for term in space["EVENTS"].values():
+            if term["func"] != "scale_motor_strength":
+                continue
+            wanted = term["params"]["asset_cfg"]["joint_names"]
+            space["scale_motor_strength"](
+                env, None, types.SimpleNamespace(
+                    name="robot", joint_ids=[names.index(name) for name in wanted]),
+                term["params"]["strength_range"])
+    torques = {}
+    for actuator in actuators.values():
+        action = actuator.compute(None)
+        given = action if simulator == "mjlab" else action.joint_efforts
+        torques.update(zip(actuator.joint_names, given[0].tolist()))
+    print(json.dumps({"torques": [torques[name] for name in names]}))
+
+
 class Vec3(list):
     """As warp's: made of three numbers."""
 
@@ -180,8 +234,9 @@ def print_newton(space, share):
         shape_material_mu=[1.0] * 2, shape_material_restitution=[0.5] * 2)
     random = types.SimpleNamespace(uniform=lambda low, high: low + share * (high - low))
     space["randomise"](builder, bodies, joints, random)
-    print(json.dumps({name: numpy.array(value).tolist()
-                      for name, value in vars(builder).items()}))
+    print(json.dumps({"strength": space["motor_strength"](random),
+                      **{name: numpy.array(value).tolist()
+                         for name, value in vars(builder).items()}}))
 
 
 class GenesisEntity:
@@ -217,9 +272,11 @@ def print_genesis(space, share):
     """Two environments; JOINTS and dofs_of are the module's, in front of this."""
     module("torch", rand=lambda count: numpy.full(count, share), ones=numpy.ones,
            zeros=numpy.zeros, stack=lambda arrays, axis: numpy.stack(arrays, axis))
+    space["DRIVEN"] = ["knee", "ankle_roll", "other"]
     entity = GenesisEntity(list(space["MASS_KG"]))
     space["randomise"](entity, [3, 5], friction=0.5)
-    print(json.dumps({"bodies": entity.bodies, "masses": space["MASS_KG"], **entity.calls}))
+    print(json.dumps({"bodies": entity.bodies, "masses": space["MASS_KG"],
+                      "strength": space["motor_strength"](2).tolist(), **entity.calls}))
 
 
 def main():
@@ -243,6 +300,8 @@ def main():
         print_events(space)
     if "add_dry_friction" in space:
         print_friction(space, share)
+    if "scale_motor_strength" in space:
+        print_strength(space, simulator, share)
 
 
 main()

@@ -44,14 +44,16 @@ TEST(DrawnNumbers, LeaveOutWhatNothingDraws) {
   Randomisation few;
   few.body_mass_factor = {{{0.9, 1.1}, {"calf"}, ""}};
   few.center_of_mass_shift_m = {{{{0.0, 0.1}, {"foot"}, ""}, {false, false, true}}};
+  few.motor_strength_factor = {{{0.9, 1.1}, {"ankle_left"}, ""}};
   few.latency_s = Range{0.0, 0.002};
   few.ground_height_m = Range{-0.01, 0.01};
   few.initial_joint_velocity_rad_s = {{{0.0, 0.5}, {"ankle_roll"}, ""}};
   std::vector<std::string> names;
   for (const DrawnNumber& number : shown(few)) names.push_back(number.quantity + "/" + number.of);
-  EXPECT_EQ(names, (std::vector<std::string>{"mass_factor/calf", "center_of_mass_shift_m/foot z",
-                                             "ground_height_m/", "latency_s/",
-                                             "initial_joint_velocity_rad_s/ankle_roll"}));
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"mass_factor/calf", "center_of_mass_shift_m/foot z",
+                                      "motor_strength_factor/ankle_left", "ground_height_m/",
+                                      "latency_s/", "initial_joint_velocity_rad_s/ankle_roll"}));
 }
 
 }  // namespace

@@ -462,6 +462,7 @@ TEST(PoweredDrives, UnderOtherOptionsAreAsIfMadeUnderThem) {
   PoweredDriveOptions half;
   half.conditions.state_of_charge = 0.53;
   half.further_friction_Nm = Vector2d(0.3, 0.4);
+  half.motor_strength_factor = Vector2d(0.9, 1.2);
   PoweredDrives full(robot, {});
   trial(full, 3);
   PoweredDrives changed(full);
@@ -475,6 +476,52 @@ TEST(PoweredDrives, UnderOtherOptionsAreAsIfMadeUnderThem) {
   PoweredDrives boxed = changed.under(half);
   PoweredDrives boxed_too(robot, half);
   expect_same(trial(boxed_too, 5), trial(boxed, 5));
+}
+
+// By hand: the motor makes (torque + 0.3 Nm of friction) at the output while it turns forward; of
+// another strength four fifths of it, for the same current and power, and the friction stays. At
+// rest nothing rubs.
+TEST(PoweredDrives, OfAnotherStrengthMakeThatShareOfTheirMotorsTorque) {
+  Actuator actuator = round_drive(0.1);
+  actuator.effects = {actuator::effect("coulomb_friction", {0.3})};
+  PoweredDriveOptions weak;
+  weak.motor_strength_factor = alone(0.8);
+  PoweredDrives drives = one_drive(actuator);
+  PoweredDrives weaker = drives.under(weak);
+  for (const double wanted_Nm : {-60.0, 0.0, 25.0, 1e4}) {
+    for (const double speed_rad_s : {-4.0, 0.0, 4.0}) {
+      const DriveStep full = step_of(drives, wanted_Nm, speed_rad_s);
+      const DriveStep less = step_of(weaker, wanted_Nm, speed_rad_s);
+      const double drag_Nm = speed_rad_s == 0.0 ? 0.0 : std::copysign(0.3, speed_rad_s);
+      EXPECT_NEAR(less.torque_Nm[0], 0.8 * (full.torque_Nm[0] + drag_Nm) - drag_Nm, 1e-9)
+          << wanted_Nm << " Nm at " << speed_rad_s;
+      EXPECT_EQ(less.current_A[0], full.current_A[0]);
+      EXPECT_EQ(less.power_W, full.power_W);
+      EXPECT_EQ(less.cut_off_Nm[0], full.cut_off_Nm[0]);
+    }
+  }
+  weak.motor_strength_factor = alone(0.0);
+  EXPECT_THROW(one_drive(actuator, weak), std::invalid_argument);
+}
+
+// Oracle: the same motor with a torque constant of four fifths, whose back-EMF is stated and stays:
+// it takes the same current for the torque that acts.
+TEST(PoweredDrives, OfAnotherStrengthAreAMotorOfAnotherTorqueConstant) {
+  Actuator actuator = round_drive(0.1);
+  actuator.effects = {actuator::effect("coulomb_friction", {0.3})};
+  actuator.motor.back_emf_constant_V_s_rad = actuator.motor.torque_constant_Nm_A;
+  Actuator other = actuator;
+  other.motor.torque_constant_Nm_A *= 0.8;
+  PoweredDriveOptions weak;
+  weak.motor_strength_factor = alone(0.8);
+  PoweredDrives drives = one_drive(actuator, weak);
+  PoweredDrives others = one_drive(other);
+  for (const double wanted_Nm : {-60.0, 25.0, 70.0}) {
+    const DriveStep step = step_of(drives, wanted_Nm, 2.0);
+    const DriveStep same = step_of(others, step.torque_Nm[0], 2.0);
+    EXPECT_NEAR(same.torque_Nm[0], step.torque_Nm[0], 1e-9);
+    EXPECT_NEAR(same.current_A[0], step.current_A[0], 1e-9);
+  }
 }
 
 TEST(PoweredDrives, OfARobotWithoutAnyDoNothing) {

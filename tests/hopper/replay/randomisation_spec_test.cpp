@@ -141,6 +141,8 @@ const std::vector<Refusal> kRefusedDocuments = {
      "/center_of_mass_shift_m/0/along/0", "x"},
     {"NoGain", R"({"controller_gain_factor": [{"least": 0, "greatest": 1}]})",
      "/controller_gain_factor/0/least", "0.01"},
+    {"NoStrength", R"({"motor_strength_factor": [{"least": 0, "greatest": 1}]})",
+     "/motor_strength_factor/0/least", "0.01"},
     {"DrivingFriction", R"({"further_friction_Nm": [{"least": -0.1, "greatest": 1}]})",
      "/further_friction_Nm/0/least", "0"},
     {"PullingGround", R"({"friction_coefficient": {"least": -0.1, "greatest": 1}})",
@@ -213,6 +215,9 @@ const std::vector<Refusal> kRefusedRobots = {
     {"JointForADrive",
      R"({"controller_gain_factor": [{"drives": ["hip"], "least": 1, "greatest": 1}]})",
      "/controller_gain_factor/0/drives/0", "there are knee, ankle_left, ankle_right"},
+    {"NoDriveOfThatStrength",
+     R"({"motor_strength_factor": [{"drives": ["ankle_lefd"], "least": 1, "greatest": 1}]})",
+     "/motor_strength_factor/0/drives/0", "did you mean \"ankle_left\"?"},
     {"UnknownJoint",
      R"({"initial_joint_velocity_rad_s": [{"joints": ["kne"], "least": 0, "greatest": 1}]})",
      "/initial_joint_velocity_rad_s/0/joints/0", "did you mean \"knee\"?"},
@@ -271,7 +276,7 @@ TEST(RandomisationSpec, VariesWhereARangeHasAWidthOrSensorsHaveNoise) {
     EXPECT_TRUE(varied(json{{key, wide}}.dump())) << key;
   }
   for (const char* key : {"body_mass_factor", "body_inertia_factor", "center_of_mass_shift_m",
-                          "controller_gain_factor", "further_friction_Nm",
+                          "controller_gain_factor", "motor_strength_factor", "further_friction_Nm",
                           "initial_joint_position_rad", "initial_joint_velocity_rad_s"}) {
     EXPECT_FALSE(varied(json{{key, {point}}}.dump())) << key;
     EXPECT_TRUE(varied(json{{key, {wide}}}.dump())) << key;

@@ -23,6 +23,7 @@ constexpr std::size_t kTrials = 2000;
 Randomisation everything() {
   Randomisation all = seeds_tables();
   all.body_mass_factor = {{{0.9, 1.3}, {}, ""}};
+  all.motor_strength_factor = {{{0.8, 1.1}, {"knee"}, ""}};
   all.ground_height_m = Range{-0.02, 0.01};
   all.latency_s = Range{0.0, 0.004};
   all.state_of_charge = Range{0.2, 1.0};
@@ -46,6 +47,7 @@ std::vector<Number> numbers() {
       {"thigh's z", {-0.03, 0.03}, [](const Trial& t) { return t.center_of_mass_shift_m(2, 0); }},
       {"foot's x", {-0.03, 0.03}, [](const Trial& t) { return t.center_of_mass_shift_m(0, 3); }},
       {"knee's gain", {0.9, 1.1}, [](const Trial& t) { return t.controller_gain_factor[0]; }},
+      {"knee's strength", {0.8, 1.1}, [](const Trial& t) { return t.motor_strength_factor[0]; }},
       {"knee's friction", {0.0, 0.7}, [](const Trial& t) { return t.further_friction_Nm[0]; }},
       {"ankle's friction", {0.0, 1.0}, [](const Trial& t) { return t.further_friction_Nm[2]; }},
       {"ground", {0.5, 0.9}, [](const Trial& t) { return *t.friction_coefficient; }},
@@ -159,6 +161,7 @@ TEST(Trial, DrawsTheSameWhateverElseIsDrawn) {
   EXPECT_EQ(some.inertia_factor[3], 1.0);  // no range is for the ankle's cross
   EXPECT_EQ(some.restitution, all.restitution);
   EXPECT_EQ(some.further_friction_Nm, all.further_friction_Nm);
+  EXPECT_EQ(some.motor_strength_factor, Eigen::Vector3d::Ones());
   EXPECT_EQ(some.center_of_mass_shift_m(2, 1), all.center_of_mass_shift_m(2, 0));
   EXPECT_EQ(some.center_of_mass_shift_m(0, 1), 0.0);
   EXPECT_FALSE(some.friction_coefficient);

@@ -33,22 +33,25 @@
 from newton.actuators import ClampingDCMotor, ControllerPD
 
 
-def add_knee_D151(builder, joint, kp=0.0, kd=0.0):
-    """Adds the actuator to a newton.ModelBuilder, at the index of a joint of one degree of freedom."""
+def add_knee_D151(builder, joint, kp=0.0, kd=0.0, strength=1.0):
+    """Adds the actuator to a newton.ModelBuilder, at the index of a joint of one degree of freedom.
+
+    strength: a factor on the torque that the motor makes within its law.
+    """
     dof = builder.joint_qd_start[joint]
     builder.add_actuator(
         ControllerPD,
         index=dof,
         pos_index=builder.joint_q_start[joint],
-        kp=kp,
-        kd=kd,
+        kp=strength * kp,
+        kd=strength * kd,
         clamping=[
             (
                 ClampingDCMotor,
                 {
-                    "saturation_effort": 1536,
+                    "saturation_effort": strength * 1536,
                     "velocity_limit": 10.5,
-                    "max_motor_effort": 319.99999999999994,
+                    "max_motor_effort": strength * 319.99999999999994,
                 },
             )
         ],
