@@ -115,6 +115,7 @@ robot export specs/robot/hopper.json --format isaac-lab --actuators --randomise 
 robot export specs/robot/hopper.json --format playground --actuators --randomise specs/randomisation/hopper.json -o hopper.py
 init actuator -o new.json
 init actuator --envelope -o curve.json
+init gearbox_problem --synthesis -o sized.json
 init actuator --from cubemars_ak80_9
 init rig --from specs/log/bench.csv -o new_rig.json
 init robot --explain
