@@ -17,6 +17,8 @@ gearbox evaluate specs/gearbox/d151_knee.json --teeth 24,48,28 -o result.json --
 gearbox evaluate specs/gearbox/d151_knee.json --teeth 44,44,32,132,120 --rank --json
 gearbox evaluate specs/gearbox/d110a_ankle.json --teeth 18,54 --planet-count 3 -o result.json
 gearbox evaluate specs/gearbox/knee_choices.json --teeth 44,44,32 --planet-count 4 --module 0.6
+gearbox pareto specs/gearbox/d151_knee.json --objectives paper_cost,forward_efficiency --plot front.svg -o front.json
+gearbox pareto specs/gearbox/knee_synthesis.json --objectives mass,hollow_shaft --points 2 --time-limit 1 --json
 gearbox verify specs/gearbox/d151_knee_result.json
 gearbox verify tests/fuzz/corpus/result_conflict.json --json
 gearbox verify tests/fuzz/corpus/result_two_designs.json
