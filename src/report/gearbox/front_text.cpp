@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "gearbox/synthesis/front_spec.hpp"
+#include "gearbox/front/front_spec.hpp"
 #include "src/report/parts/svg.hpp"
 
 namespace torquewright::report {

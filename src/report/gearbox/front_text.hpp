@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "gearbox/synthesis/front_spec.hpp"
+#include "gearbox/front/front_spec.hpp"
 
 namespace torquewright::report {
 

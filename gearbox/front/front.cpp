@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/synthesis/front.hpp"
+#include "gearbox/front/front.hpp"
 
 #include <algorithm>
 #include <cmath>

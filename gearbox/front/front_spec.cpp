@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/synthesis/front_spec.hpp"
+#include "gearbox/front/front_spec.hpp"
 
 #include <nlohmann/json.hpp>
 

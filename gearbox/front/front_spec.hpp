@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
-#include "gearbox/synthesis/front.hpp"
+#include "gearbox/front/front.hpp"
 #include "io/documents/document.hpp"
 
 namespace torquewright::gearbox {
