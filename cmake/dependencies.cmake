@@ -14,6 +14,7 @@ find_package(Eigen3 REQUIRED)
 pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 pkg_check_modules(TINYXML2 REQUIRED IMPORTED_TARGET tinyxml2)
+pkg_check_modules(DXFLIB REQUIRED IMPORTED_TARGET dxflib)
 pkg_check_modules(NETTLE REQUIRED IMPORTED_TARGET nettle)
 
 # MuJoCo: a second engine and the tests' independent dynamics, where it is installed (Debian's

@@ -195,6 +195,8 @@ class Reader {
     take("min_tip_thickness", request.least_tip_thickness);
     take("min_face_width_mm", request.least_face_width_mm);
     request.greatest_face_width_mm = find("/synthesis/max_face_width_mm");
+    request.greatest_face_width_over_module = find("/synthesis/max_face_width_over_module");
+    request.greatest_face_width_over_diameter = find("/synthesis/max_face_width_over_diameter");
     take("gap", request.gap);
     problem_.synthesis = request;
     check_synthesis(keys, request);

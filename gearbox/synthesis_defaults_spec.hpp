@@ -13,6 +13,9 @@ namespace torquewright::gearbox {
 /// steel, no further minima. Other problems stay as they are.
 void assume_for_synthesis(nlohmann::json& problem);
 
+/// The few lines that a problem with `synthesis` needs, and all that is assumed beside them.
+nlohmann::ordered_json synthesis_to_start_from();
+
 /// Reads a gearbox_problem, completed so. Throws io::SpecError.
 io::Document read_problem_document(const std::string& file);
 

@@ -21,6 +21,9 @@ struct SynthesisRequest {
   io::Rational least_tip_thickness = io::Rational(1, 5);  ///< Of every tooth, in modules.
   io::Rational least_face_width_mm = 1;
   std::optional<io::Rational> greatest_face_width_mm = {};
+  /// Of a layer, over its module and over the pitch diameter of its smallest sun or planet.
+  std::optional<io::Rational> greatest_face_width_over_module = {};
+  std::optional<io::Rational> greatest_face_width_over_diameter = {};
   /// Relative gap between objective and bound at which it is called optimal.
   io::Rational gap = io::Rational(1, 1000);
 };

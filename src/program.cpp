@@ -35,6 +35,8 @@ void add_gearbox_commands(Command& program) {
   add_evaluate_command(gearbox);
   add_verify_command(gearbox);
   add_strength_command(gearbox);
+  add_pareto_command(gearbox);
+  add_drawing_command(gearbox);
 }
 
 void add_actuator_commands(Command& program) {

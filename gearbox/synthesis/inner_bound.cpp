@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "gearbox/synthesis/linear_bound.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -22,6 +25,7 @@ class ShrinkingBox {
       : box_(box), middle_(place.middle()), offsets_(place.offsets()) {}
 
   const InnerBox& box() const { return box_; }
+  const InnerBox& offsets() const { return offsets_; }
 
   /// Over what is left of the box.
   double upper(const Slope& range) const {
@@ -88,8 +92,9 @@ class CellBound {
   CellBound(const InnerCase& inner, std::size_t layer, double cutoff_kg, LayerCell& cell)
       : cell_(cell),
         cutoff_kg_(cutoff_kg),
+        widest_mm_(inner.max_face_width_mm[layer]),
         place_(cell.box),
-        range_(layer_values(inner, layer, place_, fillet_place(inner, layer), cutoff_kg)),
+        range_(layer_values(inner, layer, place_, cutoff_kg)),
         left_(cell.box, place_) {}
 
   bool run(std::optional<std::size_t>& why) {
@@ -107,16 +112,43 @@ class CellBound {
     return true;
   }
 
+  /// Lines that bound the layer over what is left of the cell.
+  LayerForms forms() const {
+    LayerForms forms;
+    forms.middle = place_.middle();
+    for (const Slope& width : range_.width_mm) {
+      if (!is_finite(width)) continue;
+      const Slope mass = width * range_.mass_per_width_kg_mm;
+      if (has_finite_slopes(mass) && left_.upper(mass) > cell_.mass_kg) {
+        forms.masses.push_back(linear_below(mass, left_.offsets()));
+      }
+      if (has_finite_slopes(width) && left_.upper(width) > widest_mm_) {
+        forms.margins.push_back(linear_above(widest_mm_ - width, left_.offsets()));
+      }
+    }
+    for (const Slope& margin : range_.margins) {
+      if (!has_finite_slopes(margin) || left_.lower(margin) >= 0.0) continue;
+      LinearForm form = linear_above(margin, left_.offsets());
+      form.constant += kMarginSlack;
+      forms.margins.push_back(form);
+    }
+    forms.masses.push_back({cell_.mass_kg, {}});
+    return forms;
+  }
+
  private:
-  FilletPlace fillet_place(const InnerCase& inner, std::size_t layer) const {
-    FilletPlace place = 0.5;
-    layer_values(inner, layer, place_.middle()[0], place_.middle()[1], place);
-    return place >= 0.0 && place <= 1.0 ? place : 0.5;
+  static bool has_finite_slopes(const Slope& range) {
+    return std::all_of(range.slopes.begin(), range.slopes.end(),
+                       [](const Interval& slope) {
+                         return std::isfinite(slope.lower) && std::isfinite(slope.upper);
+                       }) &&
+           std::isfinite(range.center.lower) && std::isfinite(range.center.upper);
   }
 
   bool bound_mass() {
     for (const Slope& width : range_.width_mm) {
       if (!is_finite(width)) continue;
+      if (!left_.require(widest_mm_ - width, 1e-6)) return false;
       const Slope mass = width * range_.mass_per_width_kg_mm;
       if (std::isfinite(cutoff_kg_) && !left_.require(cutoff_kg_ - mass, 0.0)) return false;
       cell_.width_mm = std::max(cell_.width_mm, left_.lower(width));
@@ -128,6 +160,7 @@ class CellBound {
 
   LayerCell& cell_;
   double cutoff_kg_;
+  double widest_mm_;
   InnerPlace place_;
   LayerValues<Slope> range_;
   ShrinkingBox left_;
@@ -140,7 +173,8 @@ class NodeBound {
       : inner_(inner), cutoff_kg_(cutoff_kg), node_(node) {}
 
   InnerBound run() {
-    for (const std::size_t layer : {0U, 1U}) {
+    // The second layer is the cheaper one, and its mass leaves the first less.
+    for (const std::size_t layer : {1U, 0U}) {
       if (!rebound(layer)) return std::move(result_);
     }
     constexpr int kMostSplits = 400;
@@ -150,13 +184,8 @@ class NodeBound {
       if (result_.mass_kg >= cutoff_kg_ || layer > 1) break;
       if (!split_cell(layer, pair_[layer])) return std::move(result_);
     }
-    if (!find_lightest_pair()) return std::move(result_);
+    if (!find_lightest_pair() || !bound_pairs()) return std::move(result_);
     narrow();
-    for (const std::size_t layer : {0U, 1U}) {
-      const LayerCell& cell = node_.cells[layer][pair_[layer]];
-      result_.middle[layer + 1] = cell.box[1].middle();
-    }
-    result_.middle[0] = node_.centre_mm.middle();
     return std::move(result_);
   }
 
@@ -170,13 +199,11 @@ class NodeBound {
   /// All cells of a layer anew, for the node's centre distances.
   bool rebound(std::size_t layer) {
     const double cutoff_kg = cutoff_kg_ - least_of(1 - layer);
-    std::vector<LayerCell> kept;
-    for (const LayerCell& old : node_.cells[layer]) {
-      LayerCell cell = old;
+    const std::vector<LayerCell> old = std::exchange(node_.cells[layer], {});
+    for (LayerCell cell : old) {
       cell.box[0] = optimization::intersect(cell.box[0], node_.centre_mm);
-      if (bound_cell(layer, cutoff_kg, cell)) kept.push_back(cell);
+      add_cell(layer, cutoff_kg, cell);
     }
-    node_.cells[layer] = std::move(kept);
     return !is_without(layer);
   }
 
@@ -187,10 +214,14 @@ class NodeBound {
     return true;
   }
 
-  bool bound_cell(std::size_t layer, double cutoff_kg, LayerCell& cell) {
+  /// Where something is left of it.
+  void add_cell(std::size_t layer, double cutoff_kg, LayerCell cell) {
     why_.reset();
-    if (!(cell.box[0].lower <= cell.box[0].upper)) return false;
-    return CellBound(inner_, layer, cutoff_kg, cell).run(why_);
+    if (!(cell.box[0].lower <= cell.box[0].upper)) return;
+    CellBound bound(inner_, layer, cutoff_kg, cell);
+    if (!bound.run(why_)) return;
+    node_.cells[layer].push_back(cell);
+    forms_[layer].push_back(bound.forms());
   }
 
   bool may_pair(const LayerCell& first, const LayerCell& second) const {
@@ -253,13 +284,62 @@ class NodeBound {
     const LayerCell whole = cells[place];
     cells[place] = cells.back();
     cells.pop_back();
+    forms_[layer][place] = std::move(forms_[layer].back());
+    forms_[layer].pop_back();
     const double cutoff_kg = cutoff_kg_ - least_of(1 - layer);
     for (const bool is_upper : {false, true}) {
       LayerCell half = whole;
       (is_upper ? half.box[1].lower : half.box[1].upper) = whole.box[1].middle();
-      if (bound_cell(layer, cutoff_kg, half)) cells.push_back(half);
+      add_cell(layer, cutoff_kg, half);
     }
     return !is_without(layer);
+  }
+
+  /// Bounds every pair by both layers together, and keeps the cells that stand in one that may hold
+  /// a design of interest.
+  bool bound_pairs() {
+    std::array<std::vector<bool>, 2> is_kept;
+    for (const std::size_t layer : {0U, 1U}) is_kept[layer].resize(node_.cells[layer].size());
+    double least_kg = kInfinity;
+    for (std::size_t i = 0; i < node_.cells[0].size(); ++i) {
+      for (std::size_t j = 0; j < node_.cells[1].size(); ++j) {
+        const LayerCell& first = node_.cells[0][i];
+        const LayerCell& second = node_.cells[1][j];
+        if (first.mass_kg + second.mass_kg >= cutoff_kg_ || !may_pair(first, second)) continue;
+        const LinearBound bound = bound_pair(i, j);
+        const double mass_kg = std::max(bound.mass_kg, first.mass_kg + second.mass_kg);
+        if (mass_kg >= cutoff_kg_) continue;
+        is_kept[0][i] = is_kept[1][j] = true;
+        if (mass_kg >= least_kg) continue;
+        least_kg = mass_kg;
+        result_.middle = bound.place;
+      }
+    }
+    for (const std::size_t layer : {0U, 1U}) keep_only(is_kept[layer], node_.cells[layer]);
+    result_.is_empty = least_kg == kInfinity;
+    if (!result_.is_empty) result_.mass_kg = std::max(result_.mass_kg, least_kg);
+    return !result_.is_empty;
+  }
+
+  static void keep_only(const std::vector<bool>& is_kept, std::vector<LayerCell>& cells) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (is_kept[i]) cells[kept++] = cells[i];
+    }
+    cells.resize(kept);
+  }
+
+  LinearBound bound_pair(std::size_t i, std::size_t j) const {
+    const LayerCell& first = node_.cells[0][i];
+    const LayerCell& second = node_.cells[1][j];
+    std::vector<JointForm> joint;
+    if (inner_.sun_under_second_layer) {
+      joint.push_back({sun_clearance_mm(inner_, 0.0, 0.0) + kMarginSlack,
+                       {0.0, inner_.module_mm[0], -inner_.module_mm[1]}});
+    }
+    return linear_bound(
+        {&forms_[0][i], &forms_[1][j]}, joint,
+        {optimization::intersect(first.box[0], second.box[0]), first.box[1], second.box[1]});
   }
 
   /// The centre distances that both layers leave.
@@ -280,6 +360,7 @@ class NodeBound {
   double cutoff_kg_;
   InnerNode& node_;
   InnerBound result_;
+  std::array<std::vector<LayerForms>, 2> forms_;
   std::optional<std::size_t> why_;
   std::array<std::size_t, 2> pair_{};
 };
@@ -294,13 +375,12 @@ std::optional<double> mass_at(const InnerCase& inner, const std::array<double, 3
   };
   std::array<double, 4> efficiency{};
   for (const std::size_t layer : {0U, 1U}) {
-    FilletPlace place = 0.5;
-    const auto values = layer_values(inner, layer, point[0], point[layer + 1], place);
+    const auto values = layer_values(inner, layer, point[0], point[layer + 1]);
     for (const double margin : values.margins) require(margin);
     const double width_mm = greatest(values.width_mm);
     mass_kg += width_mm * values.mass_per_width_kg_mm;
     length_mm += width_mm;
-    if (inner.max_face_width_mm) require(*inner.max_face_width_mm - width_mm);
+    require(inner.max_face_width_mm[layer] - width_mm);
     efficiency[2 * layer] = values.efficiency[0];
     efficiency[2 * layer + 1] = values.efficiency[1];
   }

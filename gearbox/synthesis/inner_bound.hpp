@@ -30,7 +30,7 @@ struct InnerBound {
   /// Where one margin empties a layer: its layer and place.
   std::optional<std::pair<std::size_t, std::size_t>> empty_margin;
   double mass_kg = 0.0;            ///< No design in the node is lighter.
-  std::array<double, 3> middle{};  ///< Centre distance and shifts amid the lightest pair.
+  std::array<double, 3> middle{};  ///< Centre distance and shifts where it may be that light.
 };
 
 /// Bounds a node and keeps what may hold a design lighter than `cutoff_kg`; splits shifts as long

@@ -56,7 +56,7 @@ struct InnerCase {
   bool sun_under_second_layer = true;
   std::optional<double> min_hollow_shaft_mm;
   double hollow_shaft_wall_mm = 0.0;
-  std::optional<double> max_face_width_mm;
+  std::array<double, 2> max_face_width_mm{};  ///< By layer; infinite: none.
   std::optional<double> max_axial_length_mm;
   double min_face_width_mm = 0.0;
   std::optional<double> friction;
@@ -88,20 +88,16 @@ struct LayerValues {
   std::array<T, 2> efficiency;
 };
 
-/// Where on the layer's ring's fillet the stress is greatest, as a share of the trochoid's turn:
-/// found at a point, used over the box around it, where any place bounds the greatest stress from
-/// below.
-using FilletPlace = double;
-
 /// The values of a layer (0: that of the sun) at a centre distance and a shift, NaN where the gears
-/// do not exist, and the place of the ring's greatest stress.
+/// do not exist.
 LayerValues<double> layer_values(const InnerCase& inner, std::size_t layer, double centre_mm,
-                                 double shift, FilletPlace& place);
+                                 double shift);
 /// Enclosures over a box, which must outlive them. What cannot be enclosed has no finite bound, or
 /// is left out of the list of widths; the lists end where a margin is below 0 all over the box, or
-/// the layer heavier than the cutoff.
+/// the layer heavier than the cutoff or wider than it may be. A ring's root is that at the place of
+/// the greatest stress amid the box: any place bounds the greatest from below.
 LayerValues<Slope> layer_values(const InnerCase& inner, std::size_t layer, const InnerPlace& box,
-                                FilletPlace place, double cutoff_kg);
+                                double cutoff_kg);
 
 /// Names of the layer's margins, in their order.
 std::vector<std::string> margin_names(const InnerCase& inner, std::size_t layer);

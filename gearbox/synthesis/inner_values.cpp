@@ -293,8 +293,9 @@ Factors<T> fillet_factors(const Mesh<T>& mesh, const Shaper<T>& shaper, const Fi
 /// The share of the turn with the greatest stress: the vertex of a parabola through the greatest
 /// of some sections and its neighbours. critical_ring_section() seeks it more closely; any section
 /// bounds it from below.
-double worst_share(const Mesh<double>& mesh, const Shaper<double>& shaper,
-                   const Fillet<double>& fillet) {
+double worst_share(const InnerCase& /*inner*/, const Mesh<double>& mesh,
+                   const Shaper<double>& shaper) {
+  const Fillet<double> fillet = fillet_of(mesh, shaper);
   constexpr int kSections = 8;
   std::array<double, kSections + 1> stress{};
   int best = 0;
@@ -309,15 +310,30 @@ double worst_share(const Mesh<double>& mesh, const Shaper<double>& shaper,
   return (best + 0.5 * (before - after) / (before + after)) / double{kSections};
 }
 
+double amid(const Slope& value) { return value.center.middle(); }
+
+Gear<double> amid(const Gear<Slope>& gear) {
+  return {gear.teeth, amid(gear.shift), amid(gear.tip), amid(gear.tip_tangent)};
+}
+
+/// The same amid a box.
+double worst_share(const InnerCase& inner, const Mesh<Slope>& wide, const Shaper<Slope>& /*tool*/) {
+  const Mesh<double> middle =
+      mesh(wide.internal, amid(wide.first), amid(wide.second), amid(wide.tangent));
+  const Shaper<double> shaper = shaper_of(inner, middle);
+  if (!shaper.exists) return 0.5;
+  const double share = worst_share(inner, middle, shaper);
+  return share >= 0.0 && share <= 1.0 ? share : 0.5;
+}
+
 /// Width that a ring's root asks for; nothing where no bound is known.
 template <class T>
 std::optional<T> ring_root_mm(const InnerCase& inner, const Mesh<T>& mesh, const Shaper<T>& shaper,
-                              double force_N, double module_mm, double& place) {
+                              double force_N, double module_mm) {
   Factors<T> factors;
   if (shaper.exists) {
-    const Fillet<T> fillet = fillet_of(mesh, shaper);
-    if constexpr (is_number<T>) place = worst_share(mesh, shaper, fillet);
-    factors = fillet_factors(mesh, shaper, fillet, place);
+    const double place = worst_share(inner, mesh, shaper);
+    factors = fillet_factors(mesh, shaper, fillet_of(mesh, shaper), place);
   } else if (is_number<T> || shaper.is_pointed) {
     // The ring's tooth is as high as its shaper's addendum and its own, whatever its shift.
     const double radius = inner.shaper_tip_radius.value_or(kRingFilletRadius);
@@ -373,8 +389,9 @@ T trochoid_margin(const Mesh<T>& mesh) {
 template <class T>
 class Gathered {
  public:
-  Gathered(LayerValues<T>& values, double cutoff_kg, std::vector<std::string>* names)
-      : values_(values), cutoff_kg_(cutoff_kg), names_(names) {}
+  Gathered(LayerValues<T>& values, double widest_mm, double cutoff_kg,
+           std::vector<std::string>* names)
+      : values_(values), widest_mm_(widest_mm), cutoff_kg_(cutoff_kg), names_(names) {}
 
   void add(const char* name, const T& margin) {
     values_.margins.push_back(margin);
@@ -385,12 +402,14 @@ class Gathered {
   void add_width(const T& width_mm) {
     values_.width_mm.push_back(width_mm);
     if (is_number<T>) return;
-    is_over_ = is_over_ || lowest(width_mm) * lowest(values_.mass_per_width_kg_mm) > cutoff_kg_;
+    is_over_ = is_over_ || lowest(width_mm) > widest_mm_ + kMarginSlack ||
+               lowest(width_mm) * lowest(values_.mass_per_width_kg_mm) > cutoff_kg_;
   }
   bool is_over() const { return is_over_; }
 
  private:
   LayerValues<T>& values_;
+  double widest_mm_;
   double cutoff_kg_;
   std::vector<std::string>* names_;
   bool is_over_ = false;
@@ -508,7 +527,9 @@ void add_sun_margins(const InnerCase& inner, const Mesh<T>& mesh, const T& centr
 
 template <class T>
 T mesh_efficiency(const InnerCase& inner, const Mesh<T>& mesh) {
-  if (!inner.friction) return T(1.0);
+  const bool is_asked =
+      is_number<T> || inner.min_forward_efficiency || inner.min_backward_efficiency;
+  if (!inner.friction || !is_asked) return T(1.0);
   const double sign = mesh.internal ? -1.0 : 1.0;
   const double curvature = 1.0 / mesh.first.teeth + sign / mesh.second.teeth;
   return 1.0 - *inner.friction * kPi * curvature * sliding_loss_factor(mesh.path);
@@ -540,9 +561,9 @@ T sun_share(const InnerCase& inner, const Gear<T>& sun) {
 /// The layer of sun, planet 1 and fixed ring.
 template <class T>
 LayerValues<T> first_layer(const InnerCase& inner, const T& centre_mm, const T& shift_1,
-                           FilletPlace& place, double cutoff_kg, std::vector<std::string>* names) {
+                           double cutoff_kg, std::vector<std::string>* names) {
   LayerValues<T> result;
-  Gathered<T> gathered(result, cutoff_kg, names);
+  Gathered<T> gathered(result, inner.max_face_width_mm[0], cutoff_kg, names);
   const double m1 = inner.module_mm[0];
   const double between = inner.teeth[0] + inner.teeth[1];
   const T tangent = working_tangent(centre_mm, m1, between);
@@ -565,8 +586,6 @@ LayerValues<T> first_layer(const InnerCase& inner, const T& centre_mm, const T& 
   if (gathered.is_over()) return result;
   add_sun_margins(inner, sun_mesh, centre_mm, hob_largest, gathered);
   if (gathered.is_over()) return result;
-  add_dear_ring_margins(inner, fixed, gathered);
-  if (gathered.is_over()) return result;
   result.efficiency = {mesh_efficiency(inner, sun_mesh), mesh_efficiency(inner, fixed.mesh)};
 
   const auto& force = inner.reference_force_N;
@@ -580,11 +599,13 @@ LayerValues<T> first_layer(const InnerCase& inner, const T& centre_mm, const T& 
   const double alternating = inner.alternating_bending;
   add_root_width<T>(gathered, inner, fixed.mesh, false, hob_1, force[1], m1, alternating);
   if (gathered.is_over()) return result;
+  add_dear_ring_margins(inner, fixed, gathered);
+  if (gathered.is_over()) return result;
   add_root_width<T>(gathered, inner, sun_mesh, true, hob_1, force[0], m1, alternating);
   const T hob_sun = assumed_radius(inner.hob_tip_radius, kHobTipRadius, hob_largest[0]);
   add_root_width<T>(gathered, inner, sun_mesh, false, hob_sun, force[0], m1, 1.0);
   if (gathered.is_over()) return result;
-  if (auto width = ring_root_mm(inner, fixed.mesh, fixed.shaper, force[1], m1, place)) {
+  if (auto width = ring_root_mm(inner, fixed.mesh, fixed.shaper, force[1], m1)) {
     gathered.add_width(*width);
   }
   return result;
@@ -593,9 +614,9 @@ LayerValues<T> first_layer(const InnerCase& inner, const T& centre_mm, const T& 
 /// The layer of planet 2 and output ring.
 template <class T>
 LayerValues<T> second_layer(const InnerCase& inner, const T& centre_mm, const T& shift_2,
-                            FilletPlace& place, double cutoff_kg, std::vector<std::string>* names) {
+                            double cutoff_kg, std::vector<std::string>* names) {
   LayerValues<T> result;
-  Gathered<T> gathered(result, cutoff_kg, names);
+  Gathered<T> gathered(result, inner.max_face_width_mm[1], cutoff_kg, names);
   const double m2 = inner.module_mm[1];
   const Gear<T> planet_2 = gear<T>(inner.teeth[2], shift_2, inner.teeth[2] + 2.0 * (1.0 + shift_2));
   RingLayer<T> output = ring_layer(inner, centre_mm, m2, planet_2, inner.teeth[4]);
@@ -603,8 +624,6 @@ LayerValues<T> second_layer(const InnerCase& inner, const T& centre_mm, const T&
       inner.density_kg_m3 * kPi / 4.0 * 1e-3 *
       (disc_share(inner, planet_2, 1) + ring_share(inner, output.mesh.second, 1));
   add_ring_margins(inner, output, centre_mm, 1, gathered);
-  if (gathered.is_over()) return result;
-  add_dear_ring_margins(inner, output, gathered);
   if (gathered.is_over()) return result;
   result.efficiency = {mesh_efficiency(inner, output.mesh), T(1.0)};
 
@@ -615,7 +634,9 @@ LayerValues<T> second_layer(const InnerCase& inner, const T& centre_mm, const T&
   const T hob_2 = assumed_radius(inner.hob_tip_radius, kHobTipRadius, output.hob_largest);
   add_root_width<T>(gathered, inner, output.mesh, false, hob_2, force_N, m2, 1.0);
   if (gathered.is_over()) return result;
-  if (auto width = ring_root_mm(inner, output.mesh, output.shaper, force_N, m2, place)) {
+  add_dear_ring_margins(inner, output, gathered);
+  if (gathered.is_over()) return result;
+  if (auto width = ring_root_mm(inner, output.mesh, output.shaper, force_N, m2)) {
     gathered.add_width(*width);
   }
   return result;
@@ -623,28 +644,27 @@ LayerValues<T> second_layer(const InnerCase& inner, const T& centre_mm, const T&
 
 template <class T>
 LayerValues<T> values(const InnerCase& inner, std::size_t layer, const T& centre_mm, const T& shift,
-                      FilletPlace& place, double cutoff_kg, std::vector<std::string>* names) {
-  return layer == 0 ? first_layer(inner, centre_mm, shift, place, cutoff_kg, names)
-                    : second_layer(inner, centre_mm, shift, place, cutoff_kg, names);
+                      double cutoff_kg, std::vector<std::string>* names) {
+  return layer == 0 ? first_layer(inner, centre_mm, shift, cutoff_kg, names)
+                    : second_layer(inner, centre_mm, shift, cutoff_kg, names);
 }
 
 }  // namespace
 
 LayerValues<double> layer_values(const InnerCase& inner, std::size_t layer, double centre_mm,
-                                 double shift, FilletPlace& place) {
-  return values<double>(inner, layer, centre_mm, shift, place, 0.0, nullptr);
+                                 double shift) {
+  return values<double>(inner, layer, centre_mm, shift, 0.0, nullptr);
 }
 
 LayerValues<Slope> layer_values(const InnerCase& inner, std::size_t layer, const InnerPlace& box,
-                                FilletPlace place, double cutoff_kg) {
-  return values<Slope>(inner, layer, box.variable(0), box.variable(1), place, cutoff_kg, nullptr);
+                                double cutoff_kg) {
+  return values<Slope>(inner, layer, box.variable(0), box.variable(1), cutoff_kg, nullptr);
 }
 
 std::vector<std::string> margin_names(const InnerCase& inner, std::size_t layer) {
   std::vector<std::string> names;
-  FilletPlace place = 0.5;
   const double centre_mm = 0.5 * inner.module_mm[0] * (inner.teeth[0] + inner.teeth[1]);
-  values<double>(inner, layer, centre_mm, 0.0, place, 0.0, &names);
+  values<double>(inner, layer, centre_mm, 0.0, 0.0, &names);
   return names;
 }
 

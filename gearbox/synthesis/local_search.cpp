@@ -35,8 +35,7 @@ double ordinary_mass_kg(const InnerCase& inner) {
       0.5 * inner.module_mm[0] * (inner.teeth[0] + inner.teeth[1] + 0.4) * (1.0 + 1e-9);
   double mass_kg = 0.0;
   for (const std::size_t layer : {0U, 1U}) {
-    FilletPlace place = 0.5;
-    const auto values = layer_values(inner, layer, centre_mm, 0.3, place);
+    const auto values = layer_values(inner, layer, centre_mm, 0.3);
     const auto& widths = values.width_mm;
     mass_kg += *std::max_element(widths.begin(), widths.end()) * values.mass_per_width_kg_mm;
   }

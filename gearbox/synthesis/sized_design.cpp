@@ -77,10 +77,8 @@ std::string own_objection(const SizedDesign& sized) {
     }
   }
   const auto& [first, second] = sized.face_width_mm;
-  if (request.greatest_face_width_mm &&
-      std::max(first, second) > io::nearest(*request.greatest_face_width_mm)) {
-    return "face_width";
-  }
+  const auto widest_mm = greatest_face_widths_mm(sized.problem, sized.design);
+  if (first > io::nearest(widest_mm[0]) || second > io::nearest(widest_mm[1])) return "face_width";
   if (floors.axial_length_mm && first + second > io::nearest(*floors.axial_length_mm)) {
     return "axial_length";
   }

@@ -186,13 +186,17 @@ class Search {
   }
 
   void seek_from(std::size_t choice, const InnerCase& inner, const std::array<double, 3>& start) {
-    constexpr int kTrials = 400, kMoreTrials = 3000;
     const InnerBox whole = *inner_box(problem_, inner);
-    auto found = light_point(inner, whole, start, kTrials);
     // Only what is near the best is worth more.
-    if (!found || found->mass_kg >= 1.02 * best_kg()) return;
-    found = light_point(inner, whole, found->point, kMoreTrials);
-    if (found->mass_kg >= best_kg()) return;
+    std::optional<InnerPoint> found;
+    std::array<double, 3> from = start;
+    for (const auto& [trials, near] : {std::pair{60, 1.3}, {300, 1.03}, {2000, 1.0}}) {
+      found = light_point(inner, whole, from, trials);
+      if (!found && trials > 60) return;
+      if (!found) continue;
+      if (found->mass_kg >= near * best_kg()) return;
+      from = found->point;
+    }
     SizedDesign sized = sized_design(problem_, modules_, choices_[choice], found->point);
     if (!sized.objection.empty() || sized.mass_kg >= best_kg()) return;
     result_.best = std::move(sized);

@@ -54,11 +54,11 @@ std::string held_fixed_by_synthesis(const Problem& problem) {
 }
 
 std::vector<std::string> not_asked_by_synthesis() {
-  return {
-      "rims: roots are as strong as with rims too thick to matter (gearbox strength --rim).",
-      "width: load lies as evenly on a wide tooth as on a narrow one (K_Fbeta 1.2, K_Hbeta 1.3); "
-      "/synthesis/max_face_width_mm limits it.",
-      "carrier, bearings and shafts: masses are those of the gears."};
+  return {"rims: roots are as strong as with rims too thick to matter (gearbox strength --rim).",
+          "width: load lies as evenly on a wide tooth as on a narrow one (K_Fbeta 1.2, K_Hbeta "
+          "1.3), up "
+          "to the limits of /synthesis.",
+          "carrier, bearings and shafts: masses are those of the gears."};
 }
 
 ordered_json synthesis_json(const Problem& problem, const SynthesisResult& found) {

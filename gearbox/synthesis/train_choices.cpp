@@ -165,7 +165,6 @@ void set_bounds(const Problem& problem, const Rational& module_mm, InnerCase& in
   inner.least_shift = io::nearest(problem.synthesis->least_shift);
   inner.greatest_shift = io::nearest(problem.synthesis->greatest_shift);
   inner.min_face_width_mm = io::nearest(problem.synthesis->least_face_width_mm);
-  inner.max_face_width_mm = number(problem.synthesis->greatest_face_width_mm);
   inner.min_hollow_shaft_mm = number(problem.floors.hollow_shaft_mm);
   inner.hollow_shaft_wall_mm = io::nearest(hollow_shaft_wall_mm(problem, module_mm));
   inner.max_axial_length_mm = number(problem.floors.axial_length_mm);
@@ -176,6 +175,24 @@ void set_bounds(const Problem& problem, const Rational& module_mm, InnerCase& in
 }
 
 }  // namespace
+
+std::array<Rational, 2> greatest_face_widths_mm(const Problem& problem, const Design& design) {
+  constexpr int kNone = 1'000'000;
+  const SynthesisRequest& request = *problem.synthesis;
+  const auto widest = [&](const Rational& module_mm, std::int64_t least_teeth) {
+    Rational width_mm = request.greatest_face_width_mm.value_or(kNone);
+    if (request.greatest_face_width_over_module) {
+      width_mm = std::min(width_mm, Rational(*request.greatest_face_width_over_module * module_mm));
+    }
+    if (request.greatest_face_width_over_diameter) {
+      width_mm = std::min(
+          width_mm, Rational(*request.greatest_face_width_over_diameter * module_mm * least_teeth));
+    }
+    return width_mm;
+  };
+  return {widest(design.module_mm, std::min(design.teeth[0], design.teeth[1])),
+          widest(design.layer_2_module_mm.value_or(design.module_mm), design.teeth[2])};
+}
 
 LayerModules layer_modules(const Problem& problem) {
   return {problem.module_mm, problem.synthesis->layer_2_module_mm};
@@ -216,6 +233,8 @@ InnerCase inner_case(const Problem& problem, const LayerModules& modules,
   inner.module_mm = {io::nearest(design.module_mm), io::nearest(second_mm)};
   inner.wall_mm = {io::nearest(ring_wall_mm(problem, design.module_mm)),
                    io::nearest(ring_wall_mm(problem, second_mm))};
+  const auto widest_mm = greatest_face_widths_mm(problem, design);
+  inner.max_face_width_mm = {io::nearest(widest_mm[0]), io::nearest(widest_mm[1])};
   set_bounds(problem, design.module_mm, inner);
   set_strength(problem, inner);
   set_forces(problem, inner);

@@ -18,6 +18,9 @@ LayerModules layer_modules(const Problem& problem);
 /// A choice as a design, without shifts.
 Design design_of(const LayerModules& modules, const TrainChoice& choice);
 
+/// Of each layer, by all limits that the problem states; a kilometre where it states none.
+std::array<Rational, 2> greatest_face_widths_mm(const Problem& problem, const Design& design);
+
 /// Every choice of whole numbers that meets ratio, assembly, minima, bore and carrier clearance,
 /// and whose rings are within the teeth that shift may close. Exact. Stops beyond `most`.
 std::vector<TrainChoice> train_choices(const Problem& problem, const LayerModules& modules,

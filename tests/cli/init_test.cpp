@@ -107,6 +107,33 @@ TEST(Init, WritesDocumentsThatTheirCommandsTake) {
                        "--joint", "knee=actuator.json"});
 }
 
+// What stands there is what is assumed where it does not stand.
+TEST(Init, WritesAllThatASynthesisAssumes) {
+  const Workplace place;
+  ASSERT_EQ(place.run({"init", "gearbox_problem", "--synthesis", "-o", "all.json"}).exit_code, 0);
+  const json all = json::parse(place.text("all.json"));
+  EXPECT_EQ(all["synthesis"]["max_face_width_over_module"], 16);
+  json few = all;
+  for (const json& pointer : all["assumed"]) {
+    const json::json_pointer key(pointer.get<std::string>());
+    ASSERT_TRUE(all.contains(key)) << pointer;
+    few[key.parent_pointer()].erase(key.back());
+  }
+  few.erase("assumed");
+  few.erase("materials");
+  EXPECT_EQ(few.size(), 7U) << few;
+  place.write("few.json", few.dump());
+  json problems[2];
+  for (const int i : {0, 1}) {
+    const Outcome outcome = place.run(
+        {"gearbox", "optimize", i == 0 ? "all.json" : "few.json", "--max-nodes", "1", "--json"});
+    EXPECT_EQ(outcome.exit_code, 3) << outcome.err;
+    problems[i] = json::parse(outcome.out)["problem"];
+  }
+  EXPECT_EQ(problems[0], problems[1]);
+  EXPECT_EQ(place.run({"init", "actuator", "--synthesis"}).exit_code, 2);
+}
+
 TEST(Init, WritesAGearboxThatAnActuatorTakes) {
   const Started place;
   json actuator = json::parse(place.text("actuator.json"));

@@ -7,7 +7,7 @@
 
 namespace torquewright::cli {
 
-std::string drawing_of(const gearbox::Problem& problem, const gearbox::Design& design) {
+report::DrawnGearbox drawn_gearbox(const gearbox::Problem& problem, const gearbox::Design& design) {
   const gearbox::DesignReport report =
       gearbox::find_topology(problem.topology)->evaluate(problem, design);
   report::DrawnGearbox drawing;
@@ -28,7 +28,11 @@ std::string drawing_of(const gearbox::Problem& problem, const gearbox::Design& d
   for (const gearbox::ConstraintReport& violated : gearbox::what_cannot_exist(train)) {
     drawing.cannot_exist.push_back(violated.name);
   }
-  return report::gearbox_drawing(drawing);
+  return drawing;
+}
+
+std::string drawing_of(const gearbox::Problem& problem, const gearbox::Design& design) {
+  return report::gearbox_drawing(drawn_gearbox(problem, design));
 }
 
 }  // namespace torquewright::cli

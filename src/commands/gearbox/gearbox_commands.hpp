@@ -10,5 +10,7 @@ void add_optimize_command(command_line::Command& gearbox);
 void add_evaluate_command(command_line::Command& gearbox);
 void add_verify_command(command_line::Command& gearbox);
 void add_strength_command(command_line::Command& gearbox);
+void add_pareto_command(command_line::Command& gearbox);
+void add_drawing_command(command_line::Command& gearbox);
 
 }  // namespace torquewright::cli

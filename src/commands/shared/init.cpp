@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "actuator/catalogue/drive_set.hpp"
+#include "gearbox/synthesis_defaults_spec.hpp"
 #include "identification/draft/rig_draft_json.hpp"
 #include "io/documents/json_layout.hpp"
 #include "io/documents/published_schema.hpp"
@@ -32,6 +33,7 @@ struct InitOptions {
   std::string output_file;
   std::string from;  ///< An actuator of the catalogue; of a rig a log.
   bool is_envelope = false;
+  bool is_synthesis = false;
   bool explains = false;
 };
 
@@ -104,6 +106,9 @@ Start start_of(const InitOptions& options, const StartedKind& kind) {
   if (options.is_envelope && !is_actuator) {
     io::refuse("--envelope", fmt::format("is of an actuator, not of a {}", options.kind));
   }
+  if (options.is_synthesis && options.kind != "gearbox_problem") {
+    io::refuse("--synthesis", fmt::format("is of a gearbox_problem, not of a {}", options.kind));
+  }
   if (!options.from.empty() && !is_actuator && !is_rig) {
     io::refuse(
         "--from",
@@ -113,6 +118,9 @@ Start start_of(const InitOptions& options, const StartedKind& kind) {
   }
   if (is_rig && !options.from.empty()) return rig_of_log(options.from, options.output_file);
   const std::string next = next_line(kind, options.output_file);
+  if (options.is_synthesis) {
+    return {io::json_layout(gearbox::synthesis_to_start_from()), "", next};
+  }
   if (!options.from.empty()) return {actuator::catalogue_text(options.from), "", next};
   return {io::document_to_start_from(options.kind, options.is_envelope ? 1 : 0), "", next};
 }
@@ -155,6 +163,9 @@ void add_init_command(command_line::Command& program) {
       .names_a_file();
   command.add_flag("--envelope", options->is_envelope,
                    "An actuator that is known by its curve: two numbers, a corner or points");
+  command.add_flag("--synthesis", options->is_synthesis,
+                   "A gearbox_problem whose shifts, modules and face widths are chosen too, with "
+                   "all that eight lines leave out");
   command
       .add_option("--from", options->from,
                   "An actuator of the catalogue, by its name in `actuator find`; for a rig the log "

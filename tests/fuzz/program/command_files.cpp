@@ -10,12 +10,25 @@
 namespace torquewright::fuzz {
 namespace {
 
-constexpr std::array<std::string_view, 17> kOutputOptions{
-    "--all",      "-o",           "--output",        "--draw",
-    "--plot",     "--plot-loads", "--plot-momentum", "--refined",
-    "--export",   "--write-best", "--figures",       "--report",
-    "--series",   "--plot-sweep", "--sweep-journal", "--curve",
-    "--actuators"};
+constexpr std::array<std::string_view, 19> kOutputOptions{"--all",
+                                                          "-o",
+                                                          "--output",
+                                                          "--draw",
+                                                          "--plot",
+                                                          "--plot-loads",
+                                                          "--plot-momentum",
+                                                          "--refined",
+                                                          "--export",
+                                                          "--write-best",
+                                                          "--figures",
+                                                          "--report",
+                                                          "--series",
+                                                          "--plot-sweep",
+                                                          "--sweep-journal",
+                                                          "--curve",
+                                                          "--actuators",
+                                                          "--dxf",
+                                                          "--svg"};
 
 /// Of what is done point by point, beside its output (docs/sweeps.md).
 constexpr std::string_view kJournal = ".journal";

@@ -18,10 +18,13 @@ gearbox evaluate specs/gearbox/d151_knee.json --teeth 24,48,28 -o result.json --
 gearbox evaluate specs/gearbox/d151_knee.json --teeth 44,44,32,132,120 --rank --json
 gearbox evaluate specs/gearbox/d110a_ankle.json --teeth 18,54 --planet-count 3 -o result.json
 gearbox evaluate specs/gearbox/knee_choices.json --teeth 44,44,32 --planet-count 4 --module 0.6
+gearbox pareto specs/gearbox/d151_knee.json --objectives paper_cost,forward_efficiency --plot front.svg -o front.json
+gearbox pareto specs/gearbox/knee_synthesis.json --objectives mass,hollow_shaft --points 2 --time-limit 1 --json
 gearbox verify specs/gearbox/d151_knee_result.json
 gearbox verify tests/fuzz/corpus/result_conflict.json --json
 gearbox verify tests/fuzz/corpus/result_two_designs.json
 gearbox verify tests/fuzz/corpus/result_planetary.json --json
+gearbox drawing specs/gearbox/d151_knee_result.json --dxf gears.dxf --svg gears.svg
 gearbox strength specs/gearbox/d110a_strength.json --torque 21 --side motor
 gearbox strength specs/gearbox/d151_strength.json --torque 21,17 --face-widths 6,8 --modules 0.5,0.6 --json
 gearbox strength specs/gearbox/d151_knee_result.json --steel case_hardened --face-width 10 --torque 16 --cycles 1e6 --design 1
@@ -119,6 +122,7 @@ robot export specs/robot/hopper.json --format isaac-lab --actuators --randomise 
 robot export specs/robot/hopper.json --format playground --actuators --randomise specs/randomisation/hopper.json -o hopper.py
 init actuator -o new.json
 init actuator --envelope -o curve.json
+init gearbox_problem --synthesis -o sized.json
 init actuator --from cubemars_ak80_9
 init rig --from specs/log/bench.csv -o new_rig.json
 init robot --explain

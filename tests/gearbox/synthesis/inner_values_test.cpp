@@ -40,7 +40,7 @@ TEST(InnerValues, WeighWhatEvaluateAndStrengthSay) {
     const InnerCase inner = inner_case(example.problem, example.modules, choice);
     const auto box = inner_box(example.problem, inner);
     ASSERT_TRUE(box);
-    for (int trial = 0; trial < 60; ++trial) {
+    for (int trial = 0; trial < 100; ++trial) {
       const auto point = random_point(*box, generator);
       const auto mass_kg = mass_at(inner, point);
       const SizedDesign sized = sized_design(example.problem, example.modules, choice, point);
@@ -74,12 +74,11 @@ TEST(InnerValues, AreEnclosed) {
                          Interval{middle[1] - half, middle[1] + half}};
       for (const std::size_t layer : {0U, 1U}) {
         const InnerPlace place(box);
-        FilletPlace fillet = 0.5;
-        const auto range = layer_values(inner, layer, place, fillet, 1e9);
+        const auto range = layer_values(inner, layer, place, 1e9);
         std::uniform_real_distribution<double> along(-1.0, 1.0);
         const double centre_mm = middle[0] + half * 0.5 * along(generator);
         const double shift = middle[1] + half * along(generator);
-        const auto at = layer_values(inner, layer, centre_mm, shift, fillet);
+        const auto at = layer_values(inner, layer, centre_mm, shift);
         const std::vector<std::string> names = margin_names(inner, layer);
         for (std::size_t i = 0; i < range.margins.size(); ++i) {
           // Without a shaper that surely exists it has no enclosure, and 0 stands for it.

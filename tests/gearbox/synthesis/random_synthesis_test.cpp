@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+// Random problems with `synthesis` against an enumeration of whole numbers with fine grids and
+// descents within (tests/oracles/loaded_three_k), which shares no formula with the search.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <random>
+
+#include "gearbox/synthesis/synthesis.hpp"
+#include "tests/gearbox/synthesis/synthesis_example.hpp"
+#include "tests/oracles/loaded_three_k.hpp"
+
+namespace torquewright::gearbox {
+namespace {
+
+using nlohmann::json;
+
+/// Few choices of teeth, one of them near.
+json random_synthesis(std::mt19937& generator) {
+  const auto among = [&](int low, int high) {
+    return low + static_cast<int>(generator() % static_cast<unsigned>(high - low + 1));
+  };
+  json problem{{"kind", "gearbox_problem"}, {"version", 1}, {"topology", "3k"}};
+  problem["target_ratio"] = among(8, 40);
+  problem["ratio_tolerance"] = among(0, 3) / 1000.0;
+  problem["rotor_inner_diameter_mm"] = among(50, 90);
+  problem["module_mm"] = among(5, 10) / 10.0;
+  problem["planet_count"] = among(3, 5);
+  problem["min_teeth"] = {
+      {"sun", among(14, 40)}, {"planet_1", among(14, 20)}, {"planet_2", among(12, 16)}};
+  problem["load"] = {{"output_torque_Nm", among(2, 25) * 10},
+                     {"cycles", std::llround(std::pow(10.0, among(3, 7)))}};
+  problem["synthesis"] = {{"ring_teeth_off", among(0, 1)}};
+  if (among(0, 3) == 0) problem["synthesis"]["layer_2_module_mm"] = {0.6, 0.8};
+  if (among(0, 2) == 0) problem["min_hollow_shaft_diameter_mm"] = among(5, 15);
+  if (among(0, 2) == 0) problem["max_axial_length_mm"] = among(12, 30);
+  if (among(0, 3) == 0) problem["min_backward_efficiency"] = among(88, 94) / 100.0;
+  if (among(0, 2) == 0) problem["sun_under_second_layer"] = false;
+  assume_for_synthesis(problem);
+  return problem;
+}
+
+TEST(Synthesis, IsAsLightAsAFineEnumeration) {
+  const bool is_long = std::getenv("TORQUEWRIGHT_LONG") != nullptr;
+  const int wanted = is_long ? 200 : 4;
+  const std::int64_t most_choices = is_long ? 40 : 3;
+  std::mt19937 generator(is_long ? 7 : 11);
+  int compared = 0, feasible = 0;
+  while (compared < wanted) {
+    const json root = random_synthesis(generator);
+    const Problem problem = test::problem_from(root);
+    const auto choices = train_choices(problem, layer_modules(problem), 100000).size();
+    if (choices == 0 || static_cast<std::int64_t>(choices) > most_choices) continue;
+    const SynthesisResult found = synthesise(problem);
+    const oracles::LoadedTrains other = oracles::enumerate_loaded_trains(root, is_long ? 30 : 14);
+    EXPECT_EQ(found.choices, other.choices) << root;
+    ++compared;
+    if (!other.lightest) {
+      // A grid may miss what the search finds; evaluate and strength have accepted it.
+      continue;
+    }
+    ++feasible;
+    ASSERT_TRUE(found.best) << "a false infeasible: " << root;
+    // Both search the ring's worst section, and the optimum is within the gap.
+    EXPECT_LE(found.best->mass_kg, other.lightest->mass_kg * 1.0012) << root;
+    EXPECT_LE(found.bound_kg, other.lightest->mass_kg * 1.0002) << root;
+  }
+  EXPECT_GT(feasible, wanted / 3);
+}
+
+}  // namespace
+}  // namespace torquewright::gearbox
