@@ -56,8 +56,10 @@ class XmlFile {
 };
 
 /// name=number or "name": number outside comments, as in Python and USD.
+/// The number of a field; of one that a motor's strength scales, that of a strength of 1.
 double literal(const std::string& text, const std::string& name) {
-  const std::regex line("(?:^|\\n)[^#\\n]*\\b" + name + "\"?\\s*[=:]\\s*(-?[0-9][0-9.eE+-]*)");
+  const std::regex line("(?:^|\\n)[^#\\n]*\\b" + name +
+                        "\"?\\s*[=:]\\s*(?:strength \\* )?(-?[0-9][0-9.eE+-]*)");
   std::smatch found;
   if (!std::regex_search(text, found, line)) throw std::runtime_error("no field " + name);
   return std::stod(found[1]);
