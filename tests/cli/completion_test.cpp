@@ -55,7 +55,7 @@ TEST(BashCompletion, OffersCommandsOptionsAndWords) {
   const CompletionPlace place;
   EXPECT_EQ(offered_by_bash(place, {"gear"}), Words{"gearbox"});
   EXPECT_EQ(offered_by_bash(place, {"gearbox", ""}),
-            (Words{"optimize", "evaluate", "verify", "strength"}));
+            (Words{"optimize", "evaluate", "verify", "strength", "pareto", "drawing"}));
   EXPECT_EQ(offered_by_bash(place, {"gearbox", "optimize", "knee.json", "--rel"}),
             Words{"--relaxation"});
   EXPECT_EQ(offered_by_bash(place, {"gearbox", "optimize", "--relaxation", ""}),

@@ -95,7 +95,7 @@ TEST(FileNames, AreTextInEveryExportOfAnActuator) {
 
 /// Without the commands that are proposed, which name files as they are.
 std::string without_proposals(const std::string& text) {
-  return text.substr(0, text.find("torquewright hopper"));
+  return text.substr(0, std::min(text.find("torquewright hopper"), text.find("next: ")));
 }
 
 /// Runs the command and looks at every file of those endings that it wrote.

@@ -611,20 +611,19 @@ TEST_F(HopperCheck, SharesTheRobotsBattery) {
 }
 
 // Oracle: the same motion with its header: rows alone, times counted, say the same of it.
-TEST(HopperCheck, ReadsRowsWithoutAHeader) {
-  Workplace place;
+TEST_F(HopperCheck, ReadsRowsWithoutAHeader) {
   std::ifstream file(in_specs("trajectory/hopper_squat.csv"));
   std::string line, rows;
   while (std::getline(file, line)) {
     const bool is_row = !line.empty() && std::isdigit(static_cast<unsigned char>(line.front()));
     if (is_row) rows += line.substr(line.find(',') + 1) + "\n";
   }
-  place.write("rows.csv", rows);
+  place_.write("rows.csv", rows);
   const std::string robot = in_specs("robot/hopper.json");
   const Outcome with =
-      place.run({"hopper", "check", robot, in_specs("trajectory/hopper_squat.csv"), "--json"});
-  const Outcome without = place.run({"hopper", "check", robot, "rows.csv", "--fps", "500",
-                                     "--order", "base,quaternion_wxyz,joints", "--json"});
+      place_.run({"hopper", "check", robot, in_specs("trajectory/hopper_squat.csv"), "--json"});
+  const Outcome without = place_.run({"hopper", "check", robot, "rows.csv", "--fps", "500",
+                                      "--order", "base,quaternion_wxyz,joints", "--json"});
   ASSERT_EQ(without.exit_code, with.exit_code) << without.err;
   const json one = json::parse(with.out), other = json::parse(without.out);
   EXPECT_EQ(other.at("verdict"), one.at("verdict"));

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "src/report/robot/hopper_text.hpp"
@@ -54,7 +56,23 @@ std::size_t left_out_count(const CheckReport& check) {
   return sentences.size();
 }
 
-/// Violations first, then warnings; notes are counted.
+/// Rules whose notes say what the verdict is of: how the user's own columns and clock are read,
+/// which rows are left out of it, what stands for drives.
+constexpr std::string_view kRestsOn[] = {"columns-unread", "column-unit", "clock", "rows-left-out",
+                                         "no-drives"};
+
+bool is_shown_note(const Finding& finding) {
+  const bool rests_on_it =
+      std::find(std::begin(kRestsOn), std::end(kRestsOn), finding.rule) != std::end(kRestsOn);
+  return finding.severity == Severity::kNote && rests_on_it;
+}
+
+std::string finding_line(const Finding& finding) {
+  return fmt::format("{} [{}] {}\n", name_of(finding.severity), finding.rule, finding.sentence);
+}
+
+/// Violations first, then warnings; notes are counted, but for those that say what the verdict is
+/// of.
 std::string worst_findings(const CheckReport& check) {
   std::vector<const Finding*> weighing;
   for (const Severity severity : {Severity::kViolation, Severity::kWarning}) {
@@ -64,13 +82,15 @@ std::string worst_findings(const CheckReport& check) {
   }
   std::string text = weighing.empty() ? "" : "\n";
   const std::size_t shown = std::min(kShownFindings, weighing.size());
-  for (std::size_t i = 0; i < shown; ++i) {
-    text += fmt::format("{} [{}] {}\n", name_of(weighing[i]->severity), weighing[i]->rule,
-                        weighing[i]->sentence);
-  }
+  for (std::size_t i = 0; i < shown; ++i) text += finding_line(*weighing[i]);
   const std::size_t more = weighing.size() - shown;
-  const std::size_t notes = check.findings.size() - weighing.size();
+  std::size_t notes = check.findings.size() - weighing.size();
   if (more > 0) text += fmt::format("and {} more violations or warnings (--all)\n", more);
+  for (const Finding& finding : check.findings) {
+    if (!is_shown_note(finding)) continue;
+    text += finding_line(finding);
+    --notes;
+  }
   const std::size_t left_out = left_out_count(check);
   if (notes + left_out > 0) {
     text += fmt::format(

@@ -207,11 +207,10 @@ TEST(ReplayFall, BodiesThatAreNoFeetMustStayAboveTheGround) {
     return fallen(robot, state, {0.0, kFlat});
   };
   EXPECT_FALSE(at(0.0, 0.5));  // the sole is 0.01 m above the ground
-  // Straight legs, upside down: the thigh's centre of mass is 0.22 m below the knee.
-  EXPECT_FALSE(at(std::numbers::pi, 0.221));
-  EXPECT_EQ(at(std::numbers::pi, 0.219).value_or(""),
-            "the thigh's centre of mass is on the ground");
-  EXPECT_EQ(at(std::numbers::pi / 2, -0.001).value_or(""), "the thigh's origin is on the ground");
+  // Straight legs, upside down: the ball of the hip ends 0.35 + 0.05 m below the knee.
+  EXPECT_FALSE(at(std::numbers::pi, 0.401));
+  EXPECT_EQ(at(std::numbers::pi, 0.399).value_or(""),
+            "a collision sphere of the thigh is on the ground");
 }
 
 // The sole reaches from 0.08 m behind the base to 0.12 m in front of it, 0.49 m below.
