@@ -448,7 +448,8 @@ std::vector<const ModelFit*> Search::as_good_as(const ModelFit& best) const {
 
 std::vector<const ModelFit*> Search::with_what_is_too_small(const ModelFit& best) const {
   std::vector<const ModelFit*> models;
-  for (const auto& [key, fit] : fits_) {
+  for (const auto& known : fits_) {
+    const ModelFit& fit = known.second;
     const bool is_one_more =
         fit.members.size() == best.members.size() + 1 &&
         std::all_of(best.members.begin(), best.members.end(), [&](const EffectCandidate* own) {
