@@ -168,6 +168,7 @@ void require_accuracy(const MorRequest& request) {
 
 std::optional<actuator::Need> need_of(const MorRequest& request) {
   if (request.need.empty()) return std::nullopt;
+  require_use_of_lever(request.lever_m, {request.need});
   return read_need("--need", request.need, request.lever_m);
 }
 

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <string_view>
@@ -85,6 +86,21 @@ actuator::Need read_need(const std::string& option, const std::string& text,
                                    kMostTorque_Nm, kMostSpeed_rad_s));
   }
   return {torque_Nm, speed_rad_s};
+}
+
+void require_use_of_lever(std::optional<double> lever_m, const std::vector<std::string>& needs) {
+  const auto is_along = [](std::string_view unit_name) {
+    const std::optional<io::Unit> unit = io::find_unit(unit_name);
+    return unit && (unit->dimension == kTorque.along || unit->dimension == kSpeed.along);
+  };
+  const bool is_used = std::any_of(needs.begin(), needs.end(), [&](const std::string& need) {
+    const NumberPair pair = number_pair("--need", need, '@');
+    return is_along(pair.first_unit) || is_along(pair.second_unit);
+  });
+  if (!lever_m || is_used) return;
+  io::refuse("--lever",
+             "is of forces and speeds along a line, as in --need 20N@0.3m/s; torques and "
+             "turning need none");
 }
 
 void add_lever(command_line::Command& command, std::optional<double>& lever_m) {

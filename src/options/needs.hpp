@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "actuator/mor/need.hpp"
 #include "src/command_line/command_line.hpp"
@@ -18,6 +19,9 @@ constexpr double kMostSpeed_rad_s = 1e6;
 /// and at the end of a lever 20N@0.3m/s. Throws io::SpecError for what is no need.
 actuator::Need read_need(const std::string& option, const std::string& text,
                          std::optional<double> lever_m);
+
+/// Throws io::SpecError where a lever is stated and none of the needs is along a line.
+void require_use_of_lever(std::optional<double> lever_m, const std::vector<std::string>& needs);
 
 /// The lever of needs along a line, in m.
 void add_lever(command_line::Command& command, std::optional<double>& lever_m);

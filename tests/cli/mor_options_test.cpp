@@ -72,6 +72,10 @@ TEST(MorOptions, NeedsHaveTheUnitsThatPeopleHave) {
   EXPECT_EQ(mor(place, {"--need", "200@10V"}).err,
             "--need: \"V\" is none of rad/s, deg/s, rev/s, rpm; with --lever m/s, mm/s too\n");
   EXPECT_EQ(mor(place, {"--lever", "0.1"}).exit_code, 2);
+  const Outcome unused = mor(place, {"--need", "100@5", "--lever", "0.1"});
+  EXPECT_EQ(unused.exit_code, 2);
+  EXPECT_NE(unused.err.find("--lever: is of forces and speeds along a line"), std::string::npos)
+      << unused.err;
 }
 
 // What rounding left beside 3360 W and 253.75 rad/s, on both sides of a corner.

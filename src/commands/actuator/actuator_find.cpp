@@ -32,6 +32,7 @@ struct FindOptions {
 
 actuator::Wanted wanted_of(const FindOptions& options) {
   actuator::Wanted wanted;
+  require_use_of_lever(options.lever_m, options.needs);
   for (const std::string& text : options.needs) {
     wanted.needs.push_back(read_need("--need", text, options.lever_m));
     if (wanted.needs.back().torque_Nm == 0.0) {

@@ -37,16 +37,19 @@ json random_synthesis(std::mt19937& generator) {
   if (among(0, 2) == 0) problem["max_axial_length_mm"] = among(12, 30);
   if (among(0, 3) == 0) problem["min_backward_efficiency"] = among(88, 94) / 100.0;
   if (among(0, 2) == 0) problem["sun_under_second_layer"] = false;
+  // Far enough from the defaults that they bind.
+  if (among(0, 1) == 0) problem["synthesis"]["min_tip_thickness"] = among(4, 7) / 10.0;
+  if (among(0, 1) == 0) problem["min_contact_ratio"] = among(14, 17) / 10.0;
   assume_for_synthesis(problem);
   return problem;
 }
 
 TEST(Synthesis, IsAsLightAsAFineEnumeration) {
   const bool is_long = std::getenv("TORQUEWRIGHT_LONG") != nullptr;
-  const int wanted = is_long ? 200 : 4;
+  const int wanted = is_long ? 200 : 2;
   const std::int64_t most_choices = is_long ? 40 : 3;
-  std::mt19937 generator(is_long ? 7 : 11);
-  int compared = 0, feasible = 0;
+  std::mt19937 generator(is_long ? 7 : 12);
+  int compared = 0;
   while (compared < wanted) {
     const json root = random_synthesis(generator);
     const Problem problem = test::problem_from(root);
@@ -55,18 +58,14 @@ TEST(Synthesis, IsAsLightAsAFineEnumeration) {
     const SynthesisResult found = synthesise(problem);
     const oracles::LoadedTrains other = oracles::enumerate_loaded_trains(root, is_long ? 30 : 14);
     EXPECT_EQ(found.choices, other.choices) << root;
+    // A grid may miss what the search finds; evaluate and strength have accepted it.
+    if (!other.lightest) continue;
     ++compared;
-    if (!other.lightest) {
-      // A grid may miss what the search finds; evaluate and strength have accepted it.
-      continue;
-    }
-    ++feasible;
     ASSERT_TRUE(found.best) << "a false infeasible: " << root;
     // Both search the ring's worst section, and the optimum is within the gap.
     EXPECT_LE(found.best->mass_kg, other.lightest->mass_kg * 1.0012) << root;
     EXPECT_LE(found.bound_kg, other.lightest->mass_kg * 1.0002) << root;
   }
-  EXPECT_GT(feasible, wanted / 3);
 }
 
 }  // namespace
