@@ -199,17 +199,30 @@ TEST(ReplayVerdict, ALossOfContactShorterThanTenMillisecondsIsNoFlight) {
   EXPECT_TRUE(judged(record, {}).touch_down);
 }
 
-TEST(ReplayFall, BodiesThatAreNoFeetMustStayAboveTheGround) {
-  const Robot& robot = hopper_robot();
+/// What of the robot is on the ground, straight legs at that pitch and height of its base; nothing
+/// if it stands.
+std::string on_the_ground(const Robot& robot, double pitch_rad, double height_m) {
   dynamics::TreeState state(robot.tree);
-  const auto at = [&](double pitch_rad, double height_m) {
-    state.set(pose(pitch_rad, height_m), VectorXd::Zero(9));
-    return fallen(robot, state, {0.0, kFlat});
-  };
-  EXPECT_FALSE(at(0.0, 0.5));  // the sole is 0.01 m above the ground
-  // Straight legs, upside down: the ball of the hip ends 0.35 + 0.05 m below the knee.
-  EXPECT_FALSE(at(std::numbers::pi, 0.401));
-  EXPECT_EQ(at(std::numbers::pi, 0.399).value_or(""),
+  state.set(pose(pitch_rad, height_m), VectorXd::Zero(9));
+  return fallen(robot, state, {0.0, kFlat}).value_or("");
+}
+
+TEST(ReplayFall, BodiesThatAreNoFeetMustStayAboveTheGround) {
+  Robot robot = hopper_robot();
+  robot.spheres.clear();
+  EXPECT_EQ(on_the_ground(robot, 0.0, 0.5), "");  // the sole is 0.01 m above the ground
+  // Upside down: the thigh's centre of mass is 0.22 m below the knee.
+  EXPECT_EQ(on_the_ground(robot, std::numbers::pi, 0.221), "");
+  EXPECT_EQ(on_the_ground(robot, std::numbers::pi, 0.219),
+            "the thigh's centre of mass is on the ground");
+  EXPECT_EQ(on_the_ground(robot, std::numbers::pi / 2, -0.001),
+            "the thigh's origin is on the ground");
+}
+
+// Upside down the ball of the hip ends 0.35 + 0.05 m below the knee.
+TEST(ReplayFall, SoMustItsSpheres) {
+  EXPECT_EQ(on_the_ground(hopper_robot(), std::numbers::pi, 0.401), "");
+  EXPECT_EQ(on_the_ground(hopper_robot(), std::numbers::pi, 0.399),
             "a collision sphere of the thigh is on the ground");
 }
 
