@@ -87,6 +87,7 @@ ExitCode run_program(int argc, const char* const* argv) {
   top.example("torquewright gearbox optimize specs/gearbox/d151_knee.json");
   add_gearbox_commands(top);
   add_actuator_commands(top);
+  add_design_command(top);
   add_identify_command(top);
   add_hopper_commands(top);
   add_policy_commands(top);

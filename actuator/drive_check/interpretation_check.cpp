@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "actuator/motor/gear_transmission.hpp"
+
 namespace torquewright::actuator {
 namespace {
 
@@ -216,11 +218,7 @@ void InterpretationCheck::add_continuous(double pause_s, CheckedInterpretation& 
   result.continuous_current = continuous_use(current_square_, duration_s, result.peak_current_A,
                                              pause_s, actuator.drive.continuous_current_A);
   if (!actuator.datasheet) return;
-  result.is_rated_at_joint = actuator.datasheet->joint_side;
-  for (const Statement& one : actuator.statements) {
-    if (one.pointer != "/datasheet/rated_torque_Nm") continue;
-    result.is_rated_at_joint = one.at_joint.value_or(result.is_rated_at_joint);
-  }
+  result.is_rated_at_joint = is_rated_at_joint(actuator);
   const bool at_joint = result.is_rated_at_joint;
   result.continuous_torque =
       continuous_use(at_joint ? torque_square_ : motor_torque_square_, duration_s,

@@ -8,10 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "actuator/motor/gear_transmission.hpp"
 #include "gearbox/problem_spec.hpp"
-#include "gearbox/strength/problem_strength.hpp"
-#include "gearbox/strength/torque_limit.hpp"
-#include "gearbox/topologies/shifted_train.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "io/documents/document.hpp"
 #include "io/text/rational.hpp"
@@ -138,31 +136,10 @@ Transmission transmission_from_file(const json& reference, const io::Document& a
     refuse(actuator, "/gearbox/friction_coefficient",
            fmt::format("missing; {} states none, and efficiencies follow from it", document.file));
   }
-  gearbox.problem.rotor_inertia_kg_m2 = 0;  // the actuator's own motor stands in its document
-  const gearbox::Topology& topology = *gearbox::find_topology(gearbox.problem.topology);
-  const std::string objection = gearbox::shift_objection(gearbox.problem, gearbox.design);
-  if (!objection.empty()) refuse(document, "", objection);
-  const gearbox::DesignReport report = topology.evaluate(gearbox.problem, gearbox.design);
-  for (const gearbox::MeshReport& mesh : report.meshes) {
-    if (mesh.efficiency > 0.0) continue;
-    refuse(document, "", fmt::format("the mesh {} does not exist for these teeth", mesh.name));
-  }
-  for (const gearbox::ConstraintReport& constraint : report.constraints) {
-    if (!gearbox.design.is_shifted() || constraint.satisfied) continue;
-    if (constraint.name.starts_with("coaxial.")) {
-      refuse(document, "/profile_shift", constraint.sentence);
-    }
-  }
-  Transmission transmission;
-  transmission.ratio = report.ratio.get_d();
-  transmission.forward_efficiency = report.forward_efficiency;
-  transmission.backward_efficiency = report.backward_efficiency;
-  transmission.inertia_kg_m2 = report.reflected_inertia_kg_m2.value_or(0.0);
+  const GearTransmission train = gear_transmission(gearbox.problem, gearbox.design);
+  if (!train.objection.empty()) refuse(document, train.place, train.objection);
+  Transmission transmission = train.transmission;
   transmission.source = document.file;
-  // The teeth's own limit is the gears' bound of the region; without steel or widths there is none.
-  if (const auto strength = gearbox::strength_of_design(gearbox.problem, gearbox.design)) {
-    transmission.peak_torque_Nm = gearbox::torque_limits(*strength).for_cycles.joint_Nm;
-  }
   documents.push_back(document);
   return transmission;
 }

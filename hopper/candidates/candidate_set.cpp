@@ -9,6 +9,7 @@
 
 #include "actuator/catalogue/drive_set.hpp"
 #include "actuator/motor/actuator_spec.hpp"
+#include "actuator/motor/gear_transmission.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/text/one_line.hpp"
 
@@ -61,7 +62,9 @@ actuator::ReadActuator behind(const ReadRobot& robot, const Drivetrain& drivetra
     refuse_constants_of_joint(document, gearbox);
     io::Document changed = document;
     changed.root["gearbox"] = {{"file", fs::absolute(gearbox).string()}};
-    return actuator::read_actuator(std::move(changed));
+    actuator::ReadActuator read = actuator::read_actuator(std::move(changed));
+    actuator::carry_joint_rating(drivetrain.actuators.front().transmission, read.actuator);
+    return read;
   }
   io::refuse(gearbox.string(), "found no motor to put it behind");
 }
@@ -77,6 +80,7 @@ void add(const Candidate& candidate, const std::optional<RatioSweep>& sweep,
     changed.name = fmt::format("{} {:g}:1", candidate.name, ratio);
     actuator::Transmission& gear = changed.actuator.transmission;
     gear.ratio = std::copysign(ratio, gear.ratio);
+    actuator::carry_joint_rating(candidate.actuator.transmission, changed.actuator);
   }
 }
 

@@ -203,6 +203,14 @@ std::string reason(const actuator::DriveReport& report, bool by_dynamics) {
     return fmt::format("{}: its winding passes {:.4g} K in run {}", report.name,
                        interpretation.winding->limit_K, *interpretation.winding->runs_to_limit);
   }
+  for (const actuator::ContinuousUse* use :
+       {&interpretation.continuous_current, &interpretation.continuous_torque}) {
+    if (!use->is_passed()) continue;
+    const bool is_current = use == &interpretation.continuous_current;
+    return fmt::format("{}: its {} is {:.4g} {} root mean square, {:.4g} may last", report.name,
+                       is_current ? "current" : "torque", use->rms, is_current ? "A" : "Nm",
+                       *use->limit);
+  }
   return fmt::format("{}: undecided, {}", report.name,
                      "whether the file's torque includes the rotor's decides");
 }

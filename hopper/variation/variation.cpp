@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 
+#include "actuator/motor/gear_transmission.hpp"
 #include "actuator/region/operating_conditions.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "hopper/variation/drive_groups.hpp"
@@ -62,10 +63,9 @@ void scale_voltage(Actuator& drive, double factor) {
 
 /// What the motor may give for long is the same: at the joint it grows with the ratio.
 void set_ratio(Actuator& drive, double ratio) {
-  const double factor = ratio / std::abs(drive.transmission.ratio);
+  const actuator::Transmission before = drive.transmission;
   drive.transmission.ratio = std::copysign(ratio, drive.transmission.ratio);
-  if (!drive.datasheet || !drive.datasheet->joint_side) return;
-  if (drive.datasheet->rated_torque_Nm) *drive.datasheet->rated_torque_Nm *= factor;
+  actuator::carry_joint_rating(before, drive);
 }
 
 void set(Actuator& drive, Quantity quantity, double value) {

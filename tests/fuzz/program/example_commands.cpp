@@ -19,6 +19,7 @@ gearbox evaluate specs/gearbox/d151_knee.json --teeth 44,44,32,132,120 --rank --
 gearbox evaluate specs/gearbox/d110a_ankle.json --teeth 18,54 --planet-count 3 -o result.json
 gearbox evaluate specs/gearbox/knee_choices.json --teeth 44,44,32 --planet-count 4 --module 0.6
 gearbox pareto specs/gearbox/d151_knee.json --objectives paper_cost,forward_efficiency --plot front.svg -o front.json
+design specs/robot/hopper.json specs/trajectory/hopper_flip.csv --drive knee --gearbox specs/gearbox/d151_knee.json --motors specs/actuator --ratios 18:20 -o design.json
 gearbox pareto specs/gearbox/knee_synthesis.json --objectives mass,hollow_shaft --points 2 --time-limit 1 --json
 gearbox verify specs/gearbox/d151_knee_result.json
 gearbox verify tests/fuzz/corpus/result_conflict.json --json
