@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 /// bag_2.mcap lies before bag_10.mcap: by the number at the end of the name.
 std::tuple<std::string, std::size_t> order_of(const fs::path& file) {
-  const std::string stem = file.stem().string();
+  const std::string stem = io::stem_in_text(file);
   const std::size_t digits = stem.find_last_not_of("0123456789") + 1;
   std::size_t number = 0;
   std::from_chars(stem.data() + digits, stem.data() + stem.size(), number);
