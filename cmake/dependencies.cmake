@@ -16,6 +16,10 @@ pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 pkg_check_modules(TINYXML2 REQUIRED IMPORTED_TARGET tinyxml2)
 pkg_check_modules(DXFLIB REQUIRED IMPORTED_TARGET dxflib)
 pkg_check_modules(NETTLE REQUIRED IMPORTED_TARGET nettle)
+# Compressed logs and recordings; their headers lie where every compiler looks. matio is loaded when
+# it is asked for: the build needs its header, a test its functions.
+pkg_check_modules(LOG_FORMATS REQUIRED zlib minizip liblz4 libzstd sqlite3)
+pkg_check_modules(MATIO REQUIRED matio)
 
 # MuJoCo: a second engine and the tests' independent dynamics, where it is installed (Debian's
 # libmujoco-dev). Its headers are not ours to warn about.

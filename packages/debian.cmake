@@ -16,8 +16,9 @@ set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME torquewright)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
-# Called by the program, which no library tells.
+# Called by the program, or loaded when it is asked for, which no library tells.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS gnuplot-nox)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS libmatio11)
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
 "Finds the provably best 3K or planetary gearbox of a problem, tabulates and
 exports the motor operating region of an actuator, checks and plans motions of
@@ -27,7 +28,8 @@ an actuator lacks.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtorquewright-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(development_needs libfmt-dev nlohmann-json3-dev libeigen3-dev coinor-libipopt-dev
-  libnlopt-cxx-dev libtinyxml2-dev nettle-dev libmpfi-dev libmpfr-dev libgmp-dev)
+  libnlopt-cxx-dev libtinyxml2-dev nettle-dev libminizip-dev
+  zlib1g-dev liblz4-dev libzstd-dev libsqlite3-dev libmpfi-dev libmpfr-dev libgmp-dev)
 if(TARGET mujoco_library)
   list(APPEND development_needs libmujoco-dev)
 endif()

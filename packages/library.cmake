@@ -28,7 +28,7 @@ foreach(room ${rooms})
 endforeach()
 
 # What programs that link the archive need besides. Shared libraries know what they need in turn.
-set(library_links ipopt nlopt tinyxml2 nettle mpfi mpfr gmpxx gmp)
+set(library_links ipopt nlopt tinyxml2 nettle minizip z lz4 zstd sqlite3 mpfi mpfr gmpxx gmp)
 if(TARGET mujoco_library)
   list(APPEND library_links mujoco)
 endif()

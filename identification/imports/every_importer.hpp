@@ -4,8 +4,9 @@
 #include "identification/imports/importer.hpp"
 
 // One line for each importer; its file defines the constant of that name.
-#define TORQUEWRIGHT_EVERY_IMPORTER(importer) \
-  importer(sysid) importer(sysid_csv) importer(bam) importer(ros) importer(odrive) importer(moteus)
+#define TORQUEWRIGHT_EVERY_IMPORTER(importer)                                                   \
+  importer(sysid) importer(sysid_csv) importer(bam) importer(ros) importer(ros2) importer(mcap) \
+      importer(odrive) importer(moteus)
 
 namespace torquewright::identification::imports {
 

@@ -35,27 +35,35 @@ ordered_json load_json(const Load& load) {
 }
 
 ordered_json use_json(const ColumnUse& use) {
-  if (use.scale == 1.0 && use.offset == 0.0) return name_of(use.quantity);
+  const bool is_plain = use.scale == 1.0 && use.offset == 0.0 && use.joint.empty();
+  if (is_plain) return name_of(use.quantity);
   ordered_json json = {{"quantity", name_of(use.quantity)}};
   if (use.scale != 1.0) json["scale"] = use.scale;
   if (use.offset != 0.0) json["offset"] = use.offset;
+  if (!use.joint.empty()) json["joint"] = use.joint;
   return json;
 }
 
 }  // namespace
 
-std::string imported_csv(const ImportedLog& log) {
+void imported_csv(const ImportedLog& log, const io::TextSink& sink) {
+  constexpr std::size_t kPieceBytes = std::size_t{1} << 16;
   std::string text = run_column(log);
   for (const std::string& name : log.header) text += "," + quoted(name);
   text += '\n';
+  const auto add_row = [&](const std::string& run, const std::vector<std::string>& cells) {
+    text += quoted(run);
+    for (const std::string& cell : cells) text += "," + quoted(cell);
+    text += '\n';
+    if (text.size() < kPieceBytes) return;
+    sink(text);
+    text.clear();
+  };
+  if (log.stream) log.stream(add_row);
   for (const ImportedLog::Run& run : log.runs) {
-    for (const std::vector<std::string>& row : run.rows) {
-      text += quoted(run.name);
-      for (const std::string& cell : row) text += "," + quoted(cell);
-      text += '\n';
-    }
+    for (const std::vector<std::string>& row : run.rows) add_row(run.name, row);
   }
-  return text;
+  sink(text);
 }
 
 std::string imported_rig(const ImportedLog& log, const std::string& name) {

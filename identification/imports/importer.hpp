@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -17,7 +18,14 @@ struct ImportRequest {
   std::vector<std::filesystem::path> files;
   std::string joint;  ///< Name of the joint, as the file calls it, where a file holds several.
   std::string units;  ///< Unit of positions, where no file says it and the user does.
+  /// Topics of recordings, where they hold several of joint states: that of what was measured, and
+  /// that of what was commanded.
+  std::string topic, commands;
+  bool by_recorders_clock = false;  ///< Times are when messages came, not when they were stamped.
 };
+
+/// Takes the cells of a row, in the header's order.
+using RowSink = std::function<void(const std::string& run, const std::vector<std::string>& cells)>;
 
 /// A log of another program: its numbers as they were written, and what its columns are.
 struct ImportedLog {
@@ -27,6 +35,9 @@ struct ImportedLog {
     std::vector<std::vector<std::string>> rows;  ///< Cells of each row, in the header's order.
   };
   std::vector<Run> runs;
+  /// Gives the rows of all runs, in order, where they may be too many to be held: then those of
+  /// `runs` are empty. Null otherwise. Throws io::SpecError where a file turns out not to be read.
+  std::function<void(const RowSink& sink)> stream;
   std::vector<ColumnUse> columns;
   std::vector<std::string> ignore;
   std::optional<Load> load;  ///< The load; where it is absent the user has to state it.
@@ -44,6 +55,7 @@ struct Importer {
   ImportedLog (*read)(const ImportRequest& request);
   bool asks_joint = false;  ///< Its files may hold several joints.
   bool asks_units = false;  ///< Its files do not state the unit of positions.
+  bool asks_topic = false;  ///< Its files are recordings of topics.
 };
 
 std::span<const Importer* const> importer_library();

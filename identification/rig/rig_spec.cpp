@@ -87,7 +87,9 @@ class RigReader {
     const json loads = root_.value("loads", json::object());
     rig_.states_load = root_.contains("load");
     if (!rig_.states_load && loads.empty()) {
-      report("/load", "missing; what does the actuator move? (or, by run, \"loads\")");
+      report("/load",
+             "missing; what does the actuator move? (or, by run, \"loads\"; of a robot --robot "
+             "FILE says it too)");
       return;
     }
     first_load_ = rig_.states_load ? root_["load"] : *loads.begin();

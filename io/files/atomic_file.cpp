@@ -8,6 +8,7 @@
 #include "io/faults/refusal.hpp"
 #include "io/faults/spec_error.hpp"
 #include "io/files/direct_output.hpp"
+#include "io/files/long_file.hpp"
 #include "io/files/signals_held.hpp"
 #include "io/files/staged_file.hpp"
 
@@ -49,17 +50,25 @@ void replace_all_or_none(std::vector<StagedFile> all) {
 struct Output {
   Target target;
   std::string_view content;
+  TextSource more = nullptr;
 };
+
+/// What cannot be replaced is written into at once.
+std::string whole(const Output& output) {
+  std::string text(output.content);
+  if (output.more) output.more([&](std::string_view piece) { text += piece; });
+  return text;
+}
 
 /// Pipes come first, while a signal still ends the program: they may wait for their reader without
 /// end, and what they have taken cannot be taken back.
 void write_all_or_none(const std::vector<Output>& outputs) {
-  for (const auto& [target, content] : outputs) {
-    if (target.is_direct) write_into(target.file, content);
+  for (const Output& output : outputs) {
+    if (output.target.is_direct) write_into(output.target.file, whole(output));
   }
   std::vector<StagedFile> staged;
-  for (const auto& [target, content] : outputs) {
-    if (!target.is_direct) staged.emplace_back(target, content);
+  for (const auto& [target, content, more] : outputs) {
+    if (!target.is_direct) staged.emplace_back(target, content, more);
   }
   replace_all_or_none(std::move(staged));
 }
@@ -73,6 +82,13 @@ void write_whole_file(const fs::path& file, std::string_view content) {
 void write_whole_files(const std::vector<FileContent>& files) {
   std::vector<Output> outputs;
   for (const auto& [file, content] : files) outputs.push_back({Target(file), content});
+  write_all_or_none(outputs);
+}
+
+void write_whole_files(const fs::path& file, const TextSource& text,
+                       const std::vector<FileContent>& others) {
+  std::vector<Output> outputs{{Target(file), "", text}};
+  for (const FileContent& each : others) outputs.push_back({Target(each.file), each.content});
   write_all_or_none(outputs);
 }
 

@@ -160,8 +160,10 @@ bool CsvReader::next_line(std::string_view& line) {
 }
 
 std::string CsvReader::dialect() const {
-  if (separator_ == ',') return "";
-  return fmt::format("columns are separated by {}{}", separator_ == ';' ? "semicolons" : "tabs",
+  const std::string form = lines_.form();
+  if (separator_ == ',') return form;
+  return fmt::format("{}{}columns are separated by {}{}", form, form.empty() ? "" : "; ",
+                     separator_ == ';' ? "semicolons" : "tabs",
                      decimal_mark_ == ',' ? ", decimals are commas" : "");
 }
 
@@ -288,7 +290,7 @@ void CsvReader::refuse(std::size_t column, const std::string& message) const {
   const std::string name =
       column < header_.size() && !header_[column].empty() ? " (" + header_[column] + ")" : "";
   throw SpecError(
-      {{file(), "", fmt::format("line {}, column {}{}: {}", line(), column + 1, name, message)}});
+      {{file(), "", fmt::format("{}, column {}{}: {}", place(), column + 1, name, message)}});
 }
 
 void CsvReader::require_within(std::size_t column, double value, double greatest) const {
@@ -299,7 +301,12 @@ void CsvReader::require_within(std::size_t column, double value, double greatest
 }
 
 void CsvReader::refuse_row(const std::string& message) const {
-  throw SpecError({{file(), "", fmt::format("line {}: {}", line(), message)}});
+  throw SpecError({{file(), "", fmt::format("{}: {}", place(), message)}});
+}
+
+/// Arrays have rows, and no line of names before them.
+std::string CsvReader::place() const {
+  return lines_.has_lines() ? fmt::format("line {}", line()) : fmt::format("row {}", line() - 1);
 }
 
 void CsvReader::split(std::string_view line) {

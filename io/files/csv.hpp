@@ -12,7 +12,8 @@
 
 namespace torquewright::io {
 
-/// A table of numbers with a header line, row by row, in flat memory. Cells are separated by what
+/// A table of numbers with a header line, row by row, in flat memory; of a text file, or of what
+/// table_bytes.hpp reads. Cells are separated by what
 /// separates the header's most: commas, semicolons or tabs (a spreadsheet's first line sep=; says
 /// it too), and may stand in double quotes. Where they are not separated by commas, decimals may
 /// have commas; then all have. Lines that start with # before the header, and empty lines at the
@@ -41,7 +42,7 @@ class CsvReader {
   /// The units that stand under the header, by column; empty where no such row stands there, or it
   /// names none.
   const std::vector<std::string>& units() const { return units_; }
-  /// How the table differs from one of commas and points, in a sentence; empty if it does not.
+  /// How the table differs from a text of commas and points, in a sentence; empty if it does not.
   std::string dialect() const;
 
   /// Goes to the next row; false at the end. Throws for a row of another length than the header,
@@ -86,6 +87,7 @@ class CsvReader {
   void check_encoding(std::string_view first_line) const;
   void check_header() const;
   void check_row() const;
+  std::string place() const;
   bool drops_cut_end();
 
   LineReader lines_;

@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 
 #include "io/faults/refusal.hpp"
 #include "io/files/file_session.hpp"
+#include "io/files/long_file.hpp"
 
 namespace torquewright::io {
 namespace {
@@ -49,14 +51,25 @@ std::string read_file_bytes(const std::filesystem::path& file) {
 }
 
 bool holds(const std::filesystem::path& file, std::string_view content) {
+  return holds(file, [&](const TextSink& sink) { sink(content); });
+}
+
+bool holds(const std::filesystem::path& file, const TextSource& text) {
   const InputFile open(file);
   std::string chunk = new_chunk();
-  while (true) {
-    const std::string_view next = read_chunk(file, open, chunk);
-    if (next.empty()) return content.empty();
-    if (!content.starts_with(next)) return false;
-    content.remove_prefix(next.size());
-  }
+  std::string_view unread;
+  bool is_same = true;
+  const auto compare = [&](std::string_view piece) {
+    while (is_same && !piece.empty()) {
+      if (unread.empty()) unread = read_chunk(file, open, chunk);
+      const std::size_t length = std::min(unread.size(), piece.size());
+      is_same = length > 0 && unread.substr(0, length) == piece.substr(0, length);
+      unread.remove_prefix(length);
+      piece.remove_prefix(length);
+    }
+  };
+  text(compare);
+  return is_same && unread.empty() && read_chunk(file, open, chunk).empty();
 }
 
 }  // namespace torquewright::io

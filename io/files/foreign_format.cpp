@@ -22,10 +22,8 @@ constexpr std::string_view kPickle =
 /// The first that fits counts: an archive by what is in it before any other.
 constexpr std::array kFormats{
     Format{"PK\x03\x04"sv, ".npy"sv,
-           "a NumPy archive (.npz): python3 -c \"import numpy as n; d = n.load('FILE'); a = {k: "
-           "d[k].reshape(len(d[k]), -1) for k in d if d[k].ndim}; n.savetxt('FILE.csv', "
-           "n.hstack(list(a.values())), delimiter=',', comments='', header=','.join(f'{k}_{i}' if "
-           "v.shape[1] > 1 else k for k, v in a.items() for i in range(v.shape[1])))\""},
+           "a NumPy archive (.npz), which is read from a plain file alone: write it into one, "
+           "unpacked"},
     Format{"PK\x03\x04"sv, "[Content_Types].xml"sv,
            "a spreadsheet's own file: save the sheet as CSV"},
     Format{"PK\x03\x04"sv, ""sv, "a zip archive: unzip FILE"},
@@ -38,15 +36,16 @@ constexpr std::array kFormats{
     Format{"\x80\x04"sv, ""sv, kPickle},
     Format{"\x80\x05"sv, ""sv, kPickle},
     Format{"PAR1\x15"sv, ""sv,
-           "a Parquet table: python3 -c \"import pandas; "
-           "pandas.read_parquet('FILE').to_csv('FILE.csv', index=False)\""},
+           "a Parquet table, as LeRobot's are: python3 -c \"import numpy, pandas; d = "
+           "pandas.read_parquet('FILE'); numpy.savez('FILE.npz', **{k: numpy.stack(list(d[k])) for "
+           "k in d})\", and FILE.npz is read"},
     Format{"\x89HDF\r\n\x1a\n"sv, ""sv,
            "an HDF5 file: python3 -c \"import pandas; pandas.read_hdf('FILE').to_csv('FILE.csv', "
            "index=False)\" where pandas wrote it; in MATLAB "
            "writetable(struct2table(load('FILE')), 'FILE.csv')"},
-    Format{"MATLAB 5.0 MAT-file"sv, ""sv,
-           "a MATLAB file (.mat): in MATLAB writetable(struct2table(load('FILE')), 'FILE.csv')"},
-    Format{"\x1f\x8b"sv, ""sv, "compressed by gzip: gunzip --keep FILE"},
+    Format{"MATLAB "sv, " MAT-file"sv,
+           "a MATLAB file (.mat), which is read from a plain file alone: write it into one, "
+           "unpacked"},
     Format{"\x28\xb5\x2f\xfd"sv, ""sv, "compressed by zstd: unzstd FILE"},
     Format{"\xfd"
            "7zXZ"sv,
@@ -54,11 +53,11 @@ constexpr std::array kFormats{
     Format{"#ROSBAG"sv, ""sv,
            "a recording of ROS 1: rostopic echo -b FILE -p /joint_states > FILE.csv"},
     Format{"\x89MCAP"sv, ""sv,
-           "a recording of ROS 2 (MCAP): ros2 topic echo --csv /joint_states > FILE.csv while ros2 "
-           "bag play FILE runs"},
-    Format{"SQLite format 3"sv, ""sv,
-           "a database, as recordings of ROS 2 are: ros2 topic echo --csv /joint_states > FILE.csv "
-           "while ros2 bag play FILE runs"},
+           "a recording of ROS 2: torquewright identify import mcap FILE -o FOLDER"},
+    Format{
+        "SQLite format 3"sv, ""sv,
+        "a database; where it is a recording of ROS 2: torquewright identify import ros2 FILE -o "
+        "FOLDER"},
 };
 
 }  // namespace

@@ -2,14 +2,13 @@
 #include "io/files/line_reader.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
 
 #include "io/faults/refusal.hpp"
 #include "io/files/foreign_format.hpp"
+#include "io/files/table_bytes.hpp"
 
 namespace torquewright::io {
 namespace {
@@ -20,14 +19,7 @@ constexpr std::size_t kLooksAt = 256;  // bytes, for what the file is
 }  // namespace
 
 LineReader::LineReader(const std::filesystem::path& file)
-    : file_(file.string()), input_(file), buffer_(kBufferBytes) {
-  const struct stat& status = input_.status();
-  if (S_ISREG(status.st_mode)) size_bytes_ = static_cast<double>(status.st_size);
-}
-
-double LineReader::share_read() const {
-  return size_bytes_ > 0.0 ? std::min(1.0, bytes_read_ / size_bytes_) : 0.0;
-}
+    : file_(file.string()), bytes_(table_bytes(file)), buffer_(kBufferBytes) {}
 
 /// Makes room behind the unread bytes and reads more; false at the end of the file.
 bool LineReader::fill() {
@@ -39,17 +31,11 @@ bool LineReader::fill() {
                               line_number_ + 1));
   }
   if (buffer_.size() - end_ < kBufferBytes) buffer_.resize(end_ + kBufferBytes);
-  while (true) {
-    const ssize_t count = ::read(input_.descriptor(), buffer_.data() + end_, kBufferBytes);
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) refuse_unreadable(file_, errno);
-    hash_.add({buffer_.data() + end_, static_cast<std::size_t>(count)});
-    end_ += static_cast<std::size_t>(count);
-    const bool is_first = bytes_read_ == 0.0;
-    bytes_read_ += static_cast<double>(count);
-    if (is_first) refuse_foreign({buffer_.data(), std::min(end_, kLooksAt)});
-    return count > 0;
-  }
+  const std::size_t count = bytes_->read(buffer_.data() + end_, kBufferBytes);
+  end_ += count;
+  if (!is_begun_) refuse_foreign({buffer_.data(), std::min(end_, kLooksAt)});
+  is_begun_ = true;
+  return count > 0;
 }
 
 void LineReader::refuse_foreign(std::string_view first_bytes) const {

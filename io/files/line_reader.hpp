@@ -3,16 +3,17 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "io/files/file_session.hpp"
-#include "io/files/sha256.hpp"
+#include "io/table_forms/byte_source.hpp"
 
 namespace torquewright::io {
 
-/// A text file of any length, line by line, in flat memory. A byte order mark at its start and a
+/// The text of a table of any length, line by line, in flat memory, whatever file holds it
+/// (table_bytes.hpp). A byte order mark at its start and a
 /// carriage return before a line's end are dropped; the last line needs no end.
 class LineReader {
  public:
@@ -29,8 +30,13 @@ class LineReader {
 
   const std::string& file() const { return file_; }
   std::size_t line_number() const { return line_number_; }  ///< Of the last line; from 1.
-  std::string sha256() { return hash_.digest(); }           ///< Of the file; at its end, once.
-  double share_read() const;  ///< 0...1; 0 where the length is not known (a pipe).
+  std::string sha256() { return bytes_->sha256(); }         ///< Of the file; at its end, once.
+  /// 0...1; 0 where the length is not known (a pipe).
+  double share_read() const { return bytes_->share_read(); }
+  /// How the file holds the text; empty where it is the text.
+  std::string form() const { return bytes_->form(); }
+  /// Whether the file has these lines; else the first is made of names.
+  bool has_lines() const { return bytes_->has_lines(); }
 
  private:
   bool fill();
@@ -39,10 +45,8 @@ class LineReader {
   std::string_view cleaned(std::string_view line) const;
 
   std::string file_;
-  InputFile input_;
-  double size_bytes_ = 0.0;
-  double bytes_read_ = 0.0;
-  Sha256 hash_;
+  std::unique_ptr<ByteSource> bytes_;
+  bool is_begun_ = false;
   std::vector<char> buffer_;
   std::size_t begin_ = 0;
   std::size_t end_ = 0;

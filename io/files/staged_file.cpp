@@ -33,13 +33,6 @@ std::string reason(int error) { return std::generic_category().message(error); }
                                          : reason(error));
 }
 
-/// 0, or the errno of what failed.
-int write_to_disk(int descriptor, std::string_view content) {
-  const int error = write_all(descriptor, content);
-  // Some file systems report a full disk as late as here.
-  return error == 0 && ::fsync(descriptor) != 0 ? errno : error;
-}
-
 /// Whether the system says so of the path (chattr): STATX_ATTR_APPEND, STATX_ATTR_IMMUTABLE.
 bool is_marked(const fs::path& path, std::uint64_t attributes) {
   struct statx status {};
@@ -102,12 +95,13 @@ void require_writable(const Target& target) {
   refuse_append_only_folder(target);
 }
 
-StagedFile::StagedFile(Target target, std::string_view content)
-    : target_(std::move(target)), content_(content) {}
+StagedFile::StagedFile(Target target, std::string_view content, Source more)
+    : target_(std::move(target)), content_(content), more_(std::move(more)) {}
 
 StagedFile::StagedFile(StagedFile&& other) noexcept
     : target_(std::move(other.target_)),
       content_(other.content_),
+      more_(std::move(other.more_)),
       temporary_(std::exchange(other.temporary_, {})),
       descriptor_(std::exchange(other.descriptor_, -1)),
       published_(other.published_) {}
@@ -121,8 +115,14 @@ void StagedFile::stage() {
   refuse_append_only_folder(target_);
   open();
   keep_owner_and_mode();
-  const int error = write_to_disk(descriptor_, content_);
-  if (error != 0) refuse_output(target_.file, reason(error));
+  const auto write = [&](std::string_view piece) {
+    const int error = write_all(descriptor_, piece);
+    if (error != 0) refuse_output(target_.file, reason(error));
+  };
+  write(content_);
+  if (more_) more_(write);
+  // Some file systems report a full disk as late as here.
+  if (::fsync(descriptor_) != 0) refuse_output(target_.file, reason(errno));
 }
 
 void StagedFile::open() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 
 namespace torquewright::io {
@@ -24,8 +25,11 @@ void require_writable(const Target& target);
 /// program is killed, nothing is left of it. Each step throws SpecError where it fails.
 class StagedFile {
  public:
-  /// Requires a target that is not direct.
-  StagedFile(Target target, std::string_view content);
+  /// Gives a long text piece by piece.
+  using Source = std::function<void(const std::function<void(std::string_view)>& sink)>;
+
+  /// Requires a target that is not direct. `more` follows the content; it may be null.
+  StagedFile(Target target, std::string_view content, Source more = nullptr);
   StagedFile(StagedFile&& other) noexcept;
   ~StagedFile();
 
@@ -46,6 +50,7 @@ class StagedFile {
 
   Target target_;
   std::string_view content_;
+  Source more_;
   std::filesystem::path temporary_ = {};  ///< Empty: there is none.
   int descriptor_ = -1;
   Published published_ = Published::kNot;

@@ -50,6 +50,8 @@ std::string one_line(std::string_view text) {
 
 std::string name_in_text(const std::filesystem::path& file) { return one_line(file.native()); }
 
-std::string stem_in_text(const std::filesystem::path& file) { return name_in_text(file.stem()); }
+std::string stem_in_text(const std::filesystem::path& file) {
+  return name_in_text(file.extension() == ".gz" ? file.stem().stem() : file.stem());
+}
 
 }  // namespace torquewright::io

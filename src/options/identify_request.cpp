@@ -16,6 +16,11 @@ void add_log_options(command_line::Command& command, IdentifyRequest& request) {
                   "Document of kind rig, which says what the columns are")
       .needed_by_its_work();
   command
+      .add_option("--robot", request.robot_file,
+                  "Document of kind robot, whose joints moved while its base was held, where the "
+                  "rig says no load")
+      .otherwise("the rig's load");
+  command
       .add_option("--actuator", request.actuators,
                   "Document of kind actuator, as designed; JOINT=FILE, once for each, on a serial "
                   "arm; on a "

@@ -12,6 +12,7 @@ namespace torquewright::cli {
 struct IdentifyRequest {
   std::vector<std::string> logs;
   std::string rig_file;
+  std::string robot_file;  ///< Of the robot that was moved; empty: the rig says what was.
   std::vector<std::string> actuators;  ///< FILE, or JOINT=FILE on a serial arm.
   std::vector<std::string> refined;    ///< The same for refined actuators.
   std::vector<std::string> outputs;    ///< Of -o: the report's one file.

@@ -118,6 +118,23 @@ TEST(Import, KeepsTheRigThatSomebodyHasEdited) {
   EXPECT_EQ(again.rig, edited);
 }
 
+// What is in it: tests/identification/log/recordings_test.cpp.
+TEST(Import, WritesARecordingThatIsNotThereYet) {
+  const Workplace place;
+  const std::string legs = in_repository("tests/fuzz/corpus/imports/legs.mcap").string();
+  std::vector<std::string> command{"identify", "import", "mcap", legs, "--topic", "/joint_states"};
+  command.insert(command.end(), {"-o", "made"});
+  EXPECT_EQ(place.run(command).exit_code, 0);
+  EXPECT_EQ(place.run(command).exit_code, 0);  // as it is already
+  const std::string log = place.text("made/log.csv");
+  EXPECT_EQ(log.substr(0, log.find(',', 4)), "run,time_s");
+  command.insert(command.end(), {"--joint", "knee_joint"});
+  EXPECT_EQ(place.run(command).exit_code, 2);
+  EXPECT_EQ(place.text("made/log.csv"), log);
+  expect_refused(imported_text("moteus", "a.csv", "time,position\n0,0\n", {"--clock", "stamp"}),
+                 "moteus's files have no topics");
+}
+
 // Nobody named the file that a link of that name leads to.
 TEST(Import, KeepsALogThatIsThere) {
   const Workplace place;

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Files that hold tables and are no text are refused with the line that makes a CSV file of them.
-Oracle: the programs that write such files, and the line itself, which is run as it stands."""
+"""Files that hold tables and are no text are read (gzip, NumPy archives), or refused with the line
+that makes a CSV file of them. Oracle: the programs that write such files, the answer on the same
+table as text, and the line itself, which is run as it stands."""
 
 import gzip
 import lzma
@@ -53,10 +54,18 @@ class ForeignFiles(unittest.TestCase):
         done = self.check(file + ".csv")
         self.assertIn(done.returncode, (0, 1), done.stderr)
 
-    def test_numpy_archives_become_tables(self):
-        file = self.path("log.npz")
-        np.savez(file, **COLUMNS)
-        self.run_line_of(self.sentence(file, "a NumPy archive"), file)
+    def test_packed_motions_are_checked_as_text_is(self):
+        text = "\n".join(",".join(map(str, row)) for row in [COLUMNS, *zip(*COLUMNS.values())])
+        with open(self.path("motion.csv"), "w") as out:
+            out.write(text)
+        with gzip.open(self.path("motion.csv.gz"), "wt") as out:
+            out.write(text)
+        np.savez_compressed(self.path("motion.npz"), **COLUMNS)
+        answer = self.check(self.path("motion.csv"))
+        self.assertIn(answer.returncode, (0, 1), answer.stderr)
+        for packed in ["motion.csv.gz", "motion.npz"]:
+            self.assertEqual(
+                self.check(self.path(packed)).stdout.replace(packed, "motion.csv"), answer.stdout)
 
     def test_tables_of_pandas_become_tables(self):
         file = self.path("log.pkl")
@@ -71,8 +80,6 @@ class ForeignFiles(unittest.TestCase):
 
     def test_every_other_format_is_known_by_what_writes_it(self):
         np.save(self.path("a.npy"), np.zeros(3))
-        with gzip.open(self.path("a.csv.gz"), "wt") as out:
-            out.write("time_s\n0\n")
         with lzma.open(self.path("a.csv.xz"), "wt") as out:
             out.write("time_s\n0\n")
         with zipfile.ZipFile(self.path("a.zip"), "w") as out:
@@ -83,9 +90,9 @@ class ForeignFiles(unittest.TestCase):
         database.execute("CREATE TABLE messages (data BLOB)")
         database.commit()
         database.close()
-        for name, kind in [("a.npy", "a NumPy array"), ("a.csv.gz", "compressed by gzip"),
-                           ("a.csv.xz", "compressed by xz"), ("a.zip", "a zip archive"),
-                           ("a.xlsx", "a spreadsheet's own file"), ("a.db3", "a database")]:
+        for name, kind in [("a.npy", "a NumPy array"), ("a.csv.xz", "compressed by xz"),
+                           ("a.zip", "a zip archive"), ("a.xlsx", "a spreadsheet's own file"),
+                           ("a.db3", "a database")]:
             self.sentence(self.path(name), kind)
 
     def test_text_is_none_of_them(self):

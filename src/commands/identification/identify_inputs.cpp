@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "identification/rig/joint_actuator_json.hpp"
+#include "identification/rig/stated_robot_spec.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/files/atomic_file.hpp"
 #include "io/text/name_pattern.hpp"
@@ -140,6 +141,9 @@ void check_files(const IdentifyRequest& request, const IdentifyInputs& inputs) {
 IdentifyInputs read_inputs(const IdentifyRequest& request) {
   IdentifyInputs inputs;
   inputs.rig_document = io::read_document(request.rig_file, "rig");
+  if (!request.robot_file.empty()) {
+    identification::state_robot(request.robot_file, inputs.rig_document);
+  }
   inputs.rig = identification::read_rig(inputs.rig_document);
   const bool is_robot = inputs.rig.load.type == identification::LoadType::kRobot;
   if (!is_robot && request.actuators.empty()) command_line::refuse("--actuator is required");

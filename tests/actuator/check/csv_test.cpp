@@ -6,6 +6,7 @@
 
 #include <ostream>
 
+#include "io/files/sha256.hpp"
 #include "io/text/units.hpp"
 #include "tests/actuator/check/refusal.hpp"
 #include "tests/io/scratch_folder.hpp"

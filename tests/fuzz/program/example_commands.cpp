@@ -92,6 +92,7 @@ identify import sysid tests/fuzz/corpus/imports/arm_sysid.json -o imported
 identify import sysid_csv tests/fuzz/corpus/imports/lift_sysid.csv --units Rotations -o imported
 identify import bam tests/fuzz/corpus/imports/pendulum_bam.json -o imported
 identify import ros tests/fuzz/corpus/imports/legs_ros.csv --joint 1 -o imported
+identify import mcap tests/fuzz/corpus/imports/legs.mcap --topic /joint_states --commands /joint_commands --joint *_joint --clock recorder -o imported
 identify import odrive tests/fuzz/corpus/imports/axes_odrive.csv --joint axis0 -o imported
 hopper train specs/robot/planar_leg.json --task hop --limits box --engine own --seconds 1 --iterations 1 --seed 2 --threads 2 --judge-every 1 --judge-runs 1 -o hop.json --curve hop.csv
 hopper train specs/robot/hopper.json --task specs/training_task/stand.json --randomise specs/randomisation/hopper.json --curriculum --bus-voltage 60 --seconds 0.1 --iterations 1 -o stand.json

@@ -6,6 +6,7 @@
 #include "identification/log/delayed.hpp"
 #include "identification/rig/joint_actuator_json.hpp"
 #include "identification/rig/rig.hpp"
+#include "identification/rig/stated_robot_spec.hpp"
 #include "io/documents/document.hpp"
 #include "io/text/column_patterns.hpp"
 #include "io/text/name_pattern.hpp"
@@ -97,6 +98,34 @@ TEST(RobotRig, SaysWhatIsToBeFoundOfControllers) {
   EXPECT_NE(refusal_of(rig).find("/controller/stiffness_Nm_rad: missing; a gain that is not known"),
             std::string::npos)
       << refusal_of(rig);
+}
+
+// Oracle: the same rig with the load written into it.
+TEST(StatedRobot, IsTheLoadOfARigThatSaysNone) {
+  const test::ScratchFolder folder;
+  std::filesystem::create_directories(folder.path() / "imported");
+  const auto robot_file = folder.write("leg.json", robot().dump());
+  json rig = test::leg_rig_json();
+  const auto whole = folder.write("rig.json", rig.dump());
+  rig.erase("load");
+  const auto bare = folder.write("imported/rig.json", rig.dump());
+  EXPECT_NE(test::refusal([&] {
+              (void)read_rig(io::read_document(bare, "rig"));
+            }).find("of a robot --robot FILE says it too"),
+            std::string::npos);
+  const Rig stated = read_rig(io::read_document(whole, "rig"));
+  for (const std::filesystem::path& named : {robot_file, std::filesystem::proximate(robot_file)}) {
+    io::Document document = io::read_document(bare, "rig");
+    state_robot(named, document);
+    const Rig found = read_rig(document);
+    EXPECT_EQ(found.joints, stated.joints);
+    EXPECT_EQ(found.load.robot->bodies, stated.load.robot->bodies);
+    EXPECT_EQ(found.load.robot->tree.bodies[3].inertia.mass_kg,
+              stated.load.robot->tree.bodies[3].inertia.mass_kg);
+  }
+  io::Document document = io::read_document(whole, "rig");
+  EXPECT_EQ(test::refusal([&] { state_robot(robot_file, document); }, folder.path()),
+            "--robot: the rig says itself what was moved, rig.json#/load; leave one out");
 }
 
 // Oracle: a straight line, late; what was before the first sample is the first.
