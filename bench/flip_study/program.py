@@ -40,6 +40,14 @@ class Program:
         (self.folder / f"{name}.answer.json").write_text(text)
         return json.loads(text)
 
+    def needed(self, name, *arguments):
+        """An answer without which the study ends, in the program's words."""
+        found = self.answer(name, *arguments)
+        if found is None:
+            raise SystemExit(f"{name} is refused: {(self.folder / f'{name}.txt').read_text()}"
+                             "A plan that the time limit cut short (--time-limit) cannot be studied further.")
+        return found
+
     def plan(self, name, robot=ROBOT, *options):
         """A plan as NAME.csv, or the motion that comes closest as NAME.best.csv; with `motion` the
         file's path and with `seconds` what it took. Of one name only the first is searched for."""
@@ -66,12 +74,12 @@ class Program:
 
     def replay(self, name, motion, robot=ROBOT, *options):
         """A replay's report; its run by time as NAME.series.csv."""
-        return self.answer(name, "hopper", "replay", robot, motion, "--series",
+        return self.needed(name, "hopper", "replay", robot, motion, "--series",
                            self.folder / f"{name}.series.csv", *options)
 
     def trials_of(self, name, motion, document, robot=ROBOT, *options):
         """A report of randomised trials."""
-        return self.answer(name, "hopper", "replay", robot, motion, "--trials", self.trials,
+        return self.needed(name, "hopper", "replay", robot, motion, "--trials", self.trials,
                            "--randomise", document, *options)
 
     def trial(self, name, number, motion, document, *options):

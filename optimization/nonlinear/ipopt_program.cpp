@@ -202,6 +202,10 @@ void set_options(Ipopt::OptionsList& list, const NonlinearOptions& options) {
   set_count("mumps_pivot_order", kMinimumDegree);
   set_name("mu_strategy", "monotone");
   set_number("mu_init", options.first_barrier);
+  // Near a solution multipliers of bounds that agree with the barrier lead on from there; 1 for
+  // all, as usual, leads away first.
+  const bool is_near = options.first_barrier < NonlinearOptions().first_barrier;
+  set_name("bound_mult_init_method", is_near ? "mu-based" : "constant");
   set_number("bound_push", std::min(kMostPush, options.first_barrier));
   set_number("slack_bound_push", std::min(kMostPush, options.first_barrier));
   set_number("tol", options.tolerance);

@@ -6,9 +6,11 @@
 
 #include <algorithm>
 
+#include "hopper/engines/library.hpp"
 #include "hopper/planning/objectives/library.hpp"
 #include "hopper/planning/tasks/library.hpp"
 #include "hopper/planning/tasks/reserve.hpp"
+#include "hopper/tracking/library.hpp"
 #include "src/options/named_sentences.hpp"
 
 namespace torquewright::cli {
@@ -24,6 +26,7 @@ constexpr int kTaskPlace = -2;  // of sweeps alone
 constexpr int kFilesPlace = 1;
 constexpr int kWarmPlace = 2;
 constexpr int kExplanationPlace = 3;
+constexpr int kTrialsPlace = 4;
 
 void add_task_options(Command& command, HopperFlipRequest& request) {
   const hopper::PlanOptions usual;
@@ -211,6 +214,42 @@ void add_warm_options(Command& command, HopperFlipRequest& request) {
       .stated_as("contact_speed_m_s", kWarmPlace);
 }
 
+/// Of a sweep: whether its plans survive.
+void add_trial_options(Command& command, SweptTrials& trials) {
+  command
+      .add_option("--trials", trials.count,
+                  "Replay each plan of the sweep so often, randomised, as hopper replay does: the "
+                  "share that does the motion and stands")
+      .otherwise("none")
+      .integer_between(1, 1000000)
+      .needs("--sweep")
+      .stated_as("trials", kTrialsPlace);
+  command
+      .add_option("--randomise", trials.randomise_file,
+                  "Document of kind randomisation, which says what differs from trial to trial")
+      .otherwise("what the robot is")
+      .needs("--trials");
+  command
+      .add_option("--trial-seed", trials.seed,
+                  "Seed of the numbers that trials draw, --seed of hopper replay")
+      .needs("--trials")
+      .stated_as("trial_seed", kTrialsPlace);
+  command
+      .add_option("--controller", trials.controller,
+                  "What follows the plan in trials: " +
+                      named_sentences(hopper::every_controller(), "{}, {}", "; "))
+      .one_of(hopper::controller_names())
+      .needs("--trials")
+      .stated_as("controller", kTrialsPlace);
+  command
+      .add_option("--engine", trials.engine,
+                  "Which engine simulates trials: " +
+                      named_sentences(hopper::every_engine(), "{} ({})", " or "))
+      .one_of(hopper::engine_names())
+      .needs("--trials")
+      .stated_as("engine", kTrialsPlace);
+}
+
 void add_motion_files(Command& command, HopperFlipRequest& request) {
   command
       .add_option("-o,--output", request.motion_file,
@@ -265,6 +304,7 @@ void add_hopper_flip_options(Command& command, HopperFlipRequest& request) {
   add_search_options(command, request);
   add_warm_options(command, request);
   add_sweep_options(command, request.sweep);
+  add_trial_options(command, request.trials);
   add_motion_files(command, request);
   add_pictures(command, request);
 }

@@ -12,6 +12,15 @@
 
 namespace torquewright::cli {
 
+/// How often the plans of a sweep are replayed, each time as another robot.
+struct SweptTrials {
+  std::uint64_t count = 0;  ///< 0: not at all.
+  std::string randomise_file;
+  std::uint64_t seed = 1;
+  std::string controller = "lqr";
+  std::string engine = "own";
+};
+
 /// What `hopper flip` is asked, in the words of the command line (hopper_flip_options.hpp). An
 /// empty name of a file: not asked for.
 struct HopperFlipRequest {
@@ -32,6 +41,7 @@ struct HopperFlipRequest {
   /// Robot and conditions; its motion, where one is named, is what is begun from.
   HopperCheckRequest warm;
   SweepOptions sweep;
+  SweptTrials trials;
   std::string motion_file;  ///< Of a sweep: its result.
   std::string best_file;    ///< For what comes closest where there is no plan.
   std::string momentum_file;

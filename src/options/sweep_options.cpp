@@ -35,10 +35,11 @@ bool asks_for_processes(const PointOptions& options) {
 
 void add_sweep_options(command_line::Command& command, SweepOptions& options) {
   command
-      .add_option("--sweep", options.axes,
-                  "NAME=FROM:TO:STEP or NAME=A,B,C, once or twice: answer for the robot with each "
-                  "of these; names are voltage, current, resistance, mass, ratio, of one drive "
-                  "knee_ratio, as factors knee_ratio_factor")
+      .add_option(
+          "--sweep", options.axes,
+          "NAME=FROM:TO[:STEP] or NAME=A,B,C, once or twice: answer for the robot with each "
+          "of these; names are voltage, current, resistance, mass, ratio, of one drive "
+          "knee_ratio, as factors knee_ratio_factor")
       .otherwise("none")
       .one_value_each();
   add_point_options(command, options.points, "");

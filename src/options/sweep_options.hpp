@@ -17,7 +17,7 @@ struct PointOptions {
 
 /// What a sweep is asked.
 struct SweepOptions {
-  std::vector<std::string> axes;  ///< NAME=FROM:TO:STEP or NAME=A,B,C; empty: no sweep.
+  std::vector<std::string> axes;  ///< NAME=FROM:TO[:STEP] or NAME=A,B,C; empty: no sweep.
   PointOptions points;
   std::string plot_file;  ///< Empty: not asked for.
 };

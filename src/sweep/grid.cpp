@@ -19,7 +19,7 @@ constexpr const char* kOption = "--sweep";
 
 [[noreturn]] void refuse(const std::string& text, const std::string& why) {
   io::refuse(kOption,
-             fmt::format("\"{}\": {}; the form is NAME=FROM:TO:STEP or NAME=A,B,C", text, why));
+             fmt::format("\"{}\": {}; the form is NAME=FROM:TO[:STEP] or NAME=A,B,C", text, why));
 }
 
 std::vector<std::string> parts_of(const std::string& text, char separator) {
@@ -45,10 +45,10 @@ Rational number_in(const std::string& text, const std::string& part) {
 }
 
 std::vector<double> steps(const std::string& text, const std::vector<std::string>& parts) {
-  if (parts.size() != 3) refuse(text, "a range needs FROM, TO and STEP");
+  if (parts.size() > 3) refuse(text, "a range is FROM:TO:STEP or FROM:TO");
   const Rational from = number_in(text, parts[0]);
   const Rational to = number_in(text, parts[1]);
-  const Rational step = number_in(text, parts[2]);
+  const Rational step = parts.size() == 3 ? number_in(text, parts[2]) : Rational(1);
   if (step <= 0) refuse(text, fmt::format("the step {} is not above 0", parts[2]));
   if (from > to) refuse(text, fmt::format("{} lies above {}", parts[0], parts[1]));
   if ((to - from) / step >= kMostPoints) {

@@ -27,8 +27,8 @@ struct Grid {
 
 inline constexpr std::size_t kMostPoints = 100000;
 
-/// NAME=FROM:TO:STEP (TO included where steps meet it; the decimal fractions as written, not their
-/// roundings summed up) or NAME=A,B,C. Throws io::SpecError.
+/// NAME=FROM:TO[:STEP] (steps of 1 unless stated, TO included where they meet it; the decimal
+/// fractions as written, not their roundings summed up) or NAME=A,B,C. Throws io::SpecError.
 Axis read_axis(const std::string& text);
 
 /// One text an axis. Throws io::SpecError: not one or two, the same name twice, more points than

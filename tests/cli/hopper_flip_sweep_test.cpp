@@ -116,6 +116,47 @@ TEST_F(HopperFlipSweep, TakesNothingOfAnotherTask) {
   EXPECT_EQ(std::count(journal.begin(), journal.end(), '\n'), 3);
 }
 
+// Oracle: `hopper flip` and `hopper replay` of the robot whose document has that ratio.
+TEST_F(HopperFlipSweep, TriesEachPlanAsItsReplayDoes) {
+  const Words trials{"--trials", "4", "--randomise", "specs/randomisation/hopper.json"};
+  Words sweep{"--sweep", "knee_ratio=18,20", "--trial-seed", "7", "--controller", "pd", "--json"};
+  sweep.insert(sweep.end(), trials.begin(), trials.end());
+  const Outcome outcome = jump(sweep);
+  const json swept = json::parse(outcome.out);
+  EXPECT_NO_THROW(io::check_document(swept, "sweep_result", "result", ""));
+  EXPECT_EQ(swept["options"]["trials"], 4);
+  EXPECT_EQ(swept["options"]["controller"], "pd");
+  const char* file = "specs/actuator/d151_knee.json";
+  place_.write(file, with(place_.text(file), "\"ratio\": 20", "\"ratio\": 18"));
+  const char* robot = "specs/robot/hopper.json";
+  place_.write(robot,
+               with(place_.text(robot), "\"speed_limit_rad_s\": 10, \"torque_limit_Nm\": 320",
+                    "\"speed_limit_rad_s\": 11.11111111111111, \"torque_limit_Nm\": 288"));
+  const json plan = json::parse(jump({"-o", "plan.csv", "--json"}).out);
+  ASSERT_EQ(plan["status"], "planned");
+  Words replay{"hopper", "replay",       robot, "plan.csv", "--seed",
+               "7",      "--controller", "pd",  "--json"};
+  replay.insert(replay.end(), trials.begin(), trials.end());
+  const json by_hand = json::parse(place_.run(replay).out)["trials"];
+  ASSERT_EQ(by_hand["count"], 4);
+  const json& measures = swept["points"][0]["measures"];
+  EXPECT_EQ(measures["success_share"], by_hand["succeeded"].get<double>() / 4.0);
+  EXPECT_EQ(measures["success_least"], by_hand["interval"][0]);
+  EXPECT_EQ(measures["success_most"], by_hand["interval"][1]);
+  EXPECT_NEAR(measures["objective"].get<double>(), plan["objective"].get<double>(), 1e-5);
+  EXPECT_EQ(swept["points"][0]["why"] == "", by_hand["succeeded"] == 4);
+}
+
+// A point without a plan has nothing to try.
+TEST_F(HopperFlipSweep, TriesNoMotionThatIsNoPlan) {
+  const Outcome outcome = cut_short({"--sweep", "knee_ratio=20", "--trials", "2", "--randomise",
+                                     "specs/randomisation/hopper.json", "--json"});
+  const json point = json::parse(outcome.out)["points"][0];
+  EXPECT_EQ(point["status"], "limit");
+  EXPECT_TRUE(point["measures"]["success_share"].is_null());
+  EXPECT_NE(point["why"], "");
+}
+
 TEST_F(HopperFlipSweep, IsRefused) {
   for (const auto& [option, file] : {std::pair<const char*, const char*>{"--write-best", "b.csv"},
                                      {"--figures", "figures.svg"},
@@ -128,6 +169,9 @@ TEST_F(HopperFlipSweep, IsRefused) {
   expect_refusal({"--sweep", "hip_ratio=16"}, "knee_ratio");
   expect_refusal({"--sweep", "voltage=48", "--bus-voltage", "60"}, "one sets the other");
   expect_refusal({"-o", "plan.csv", "--jobs", "2"}, "is for --sweep");
+  expect_refusal({"-o", "plan.csv", "--trials", "2"}, "--sweep");
+  expect_refusal({"--sweep", "knee_ratio=16", "--trials", "2"}, "needs --randomise FILE");
+  expect_refusal({"--sweep", "knee_ratio=16", "--controller", "pd"}, "--trials");
   expect_refusal({"-o", "plan.csv", "--sweep-journal", "journal"}, "is for --sweep");
 }
 

@@ -225,6 +225,18 @@ TEST_F(HopperFlip, WritesAMotionThatTheCheckPasses) {
   EXPECT_EQ(place_.files(), files);
 }
 
+// Phases of a search that was cut short do not meet. What it has found is read as a motion all the
+// same: `hopper check` says what of physics it lacks, not that its rows are none.
+TEST_F(HopperFlip, WritesWhatComesClosestSoThatTheCheckReadsIt) {
+  const Outcome outcome =
+      run({"--iterations", "3", "--rounds", "0", "--intervals", "20", "--write-best", "best.csv"});
+  ASSERT_EQ(outcome.exit_code, 3) << outcome.err;
+  ASSERT_TRUE(place_.has("best.csv"));
+  const Outcome checked = place_.run({"hopper", "check", "specs/robot/hopper.json", "best.csv"});
+  EXPECT_EQ(checked.err.find("time repeats"), std::string::npos) << checked.err;
+  EXPECT_NE(checked.err.find("is not the rate of its velocity"), std::string::npos) << checked.err;
+}
+
 // What ended early is no plan: exit code 3, and no motion that could be taken for one.
 TEST_F(HopperFlip, EndsOnCtrlCWithoutAMotion) {
   place_.here.interrupt_after = std::chrono::milliseconds(200);

@@ -20,6 +20,7 @@ TEST(Axis, IsARangeThatItsStepsMeet) {
   EXPECT_EQ(read_axis("a=8:31:2").values.back(), 30);
   EXPECT_EQ(read_axis("a=5:5:1").values, Values{5});
   EXPECT_EQ(read_axis("a=-1:1:1").values, (Values{-1, 0, 1}));
+  EXPECT_EQ(read_axis("a=12:14.5").values, (Values{12, 13, 14}));
 }
 
 // 0.1 + 0.1 + 0.1 is not 0.3 in binary; these are the numbers that the decimals stand for.
@@ -34,7 +35,7 @@ TEST(Axis, IsAListInOrder) {
 
 TEST(Axis, IsRefused) {
   for (const char* text :
-       {"knee_ratio", "=1:2:1",  "a=",        "a=1:2",  "a=1:2:3:4", "a=1:2:0",    "a=1:2:-1",
+       {"knee_ratio", "=1:2:1",  "a=",        "a=1:",   "a=1:2:3:4", "a=1:2:0",    "a=1:2:-1",
         "a=3:2:1",    "a=x:2:1", "a=1,,2",    "a=1,2,", "a=1,1",     "a=1,1.0",    "a=nan",
         "a=1:inf:1",  "a=1 ,2",  "a=0:1e9:1", "a=0x10", "a=1e400",   "a=1:2:1e400"}) {
     EXPECT_THROW(read_axis(text), io::SpecError) << text;

@@ -14,6 +14,9 @@ using Eigen::VectorXd;
 
 // A change of a velocity that is less is no impact, but the solver's tolerance.
 constexpr double kImpact = 1e-4;  // m/s or rad/s
+// How far positions of the two rows of one impact may differ for who reads the motion
+// (motion_reader.cpp), in m or rad.
+constexpr double kSamePosition = 1e-6;
 
 // Accelerations and torques jump where a point lets go; who reads samples joins them by straight
 // lines, and over a millisecond at take-off those of the hopper turn it by 0.3 rad/s.
@@ -82,15 +85,21 @@ class Samples {
   std::vector<VectorXd> positions_, velocities_, accelerations_, touching_;
 };
 
-/// Whether the robot's velocity jumps from the phase before to this one.
+double greatest_difference(const VectorXd& one, const VectorXd& other) {
+  return (one - other).cwiseAbs().maxCoeff();
+}
+
+/// Whether the robot's velocity jumps from the phase before to this one, by their samples. Where
+/// its place does as well that is no impact but what a search has left open.
 bool begins_with_impact(const SagittalRobot& plane, const PlannedPhase& before,
                         const PlannedPhase& after) {
-  const auto velocity = [&](const PlannedPhase& phase, const PlannedInstant& at) {
-    return tree_motion(plane, phase.frame(), {at.position, at.velocity, at.acceleration}).velocity;
+  const auto motion = [&](const PlannedPhase& phase, const PlannedInstant& at) {
+    return tree_motion(plane, phase.frame(), {at.position, at.velocity, at.acceleration});
   };
-  return (velocity(before, before.instants.back()) - velocity(after, after.instants.front()))
-             .cwiseAbs()
-             .maxCoeff() > kImpact;
+  const TreeMotion one = motion(before, instant_within(before, before.intervals() - 1, 1.0));
+  const TreeMotion other = motion(after, instant_within(after, 0, 0.0));
+  return greatest_difference(one.velocity, other.velocity) > kImpact &&
+         greatest_difference(one.position, other.position) <= kSamePosition;
 }
 
 }  // namespace

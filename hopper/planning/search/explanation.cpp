@@ -10,6 +10,7 @@
 
 #include "hopper/planning/plane/sagittal_robot.hpp"
 #include "hopper/planning/search/plan_search.hpp"
+#include "hopper/planning/tasks/reserve.hpp"
 #include "hopper/variation/drive_groups.hpp"
 #include "hopper/variation/variation.hpp"
 #include "io/faults/spec_error.hpp"
@@ -22,14 +23,21 @@ using Clock = std::chrono::steady_clock;
 /// Of what the documents have: about twice as much from one to the next. A change below the first
 /// is within what documents are wrong by; beyond the last it is another robot.
 constexpr std::array kShares{0.02, 0.05, 0.1, 0.2, 0.4};
+/// Of a part of the reserve, which is given up at last.
+constexpr std::array kGivenUp{0.1, 0.2, 0.4, 0.7, 1.0};
+static_assert(kGivenUp.size() == kShares.size());
 constexpr const char* kPlace = "--explain";
 
 /// A quantity and the way it is changed.
 struct Direction {
   Variable variable;
-  double sign = 1.0;  ///< +1 up, -1 down.
+  double sign = 1.0;                 ///< +1 up, -1 down.
+  const MarginPart* part = nullptr;  ///< Of the reserve; null: it is the robot that is changed.
 
-  double value(std::size_t rung) const { return variable.present * (1.0 + sign * kShares[rung]); }
+  double value(std::size_t rung) const {
+    if (part == nullptr) return variable.present * (1.0 + sign * kShares[rung]);
+    return std::max(PlanMargins().*part->margin, variable.present * (1.0 - kGivenUp[rung]));
+  }
 };
 
 /// By its value where all its drives have the same, else as a factor.
@@ -83,15 +91,32 @@ bool is_known(const Robot& robot, const Direction& direction) {
   }
 }
 
+/// Less of each part that the reserve has made greater than it usually is.
+std::vector<Direction> parts_of_reserve(const PlanOptions& options) {
+  std::vector<Direction> directions;
+  for (const MarginPart& part : margin_parts()) {
+    const double margin = options.margins.*part.margin;
+    const bool is_reserves = part.per_reserve > 0.0 && margin == part.per_reserve * options.reserve;
+    if (!is_reserves || !(margin > PlanMargins().*part.margin)) continue;
+    Direction& less = directions.emplace_back(Direction{{}, -1.0, &part});
+    less.variable.name = "reserve of " + std::string(part.name);
+    less.variable.unit = part.unit;
+    less.variable.present = margin;
+  }
+  return directions;
+}
+
 std::vector<Direction> directions_of(const Robot& robot, const PlanOptions& options) {
-  std::vector<Direction> directions{{voltage(robot, options.check), 1.0},
-                                    {named(robot, "current"), 1.0}};
+  std::vector<Direction> directions = parts_of_reserve(options);
+  directions.push_back({voltage(robot, options.check), 1.0});
+  directions.push_back({named(robot, "current"), 1.0});
   for (const Variable& ratio : moved_ratios(robot)) {
     directions.push_back({ratio, -1.0});
     directions.push_back({ratio, 1.0});
   }
   directions.push_back({named(robot, "mass"), -1.0});
-  std::erase_if(directions, [&](const Direction& one) { return !is_known(robot, one); });
+  std::erase_if(directions,
+                [&](const Direction& one) { return one.part == nullptr && !is_known(robot, one); });
   return directions;
 }
 
@@ -107,7 +132,7 @@ class Attempts {
 
  private:
   /// Whether there is a plan; none: the deadline, or Ctrl-C, came first.
-  std::optional<bool> has_plan(const Variable& variable, double value,
+  std::optional<bool> has_plan(const Direction& direction, double value,
                                Clock::time_point deadline) const;
   bool is_stopped() const { return options_.should_stop && options_.should_stop(); }
 
@@ -115,17 +140,21 @@ class Attempts {
   PlanOptions options_;
 };
 
-std::optional<bool> Attempts::has_plan(const Variable& variable, double value,
+std::optional<bool> Attempts::has_plan(const Direction& direction, double value,
                                        Clock::time_point deadline) const {
+  const Variable& variable = direction.variable;
   const std::chrono::duration<double> left = deadline - Clock::now();
   if (left.count() <= 0.0 || is_stopped()) return std::nullopt;
   PlanOptions options = options_;
   options.most_seconds = left.count();
+  if (direction.part != nullptr) options.margins.*direction.part->margin = value;
   std::optional<double>& bus_voltage_V = options.check.conditions.bus_voltage_V;
-  const bool is_of_bus = variable.quantity == Quantity::kVoltage && bus_voltage_V;
+  const bool is_of_bus =
+      direction.part == nullptr && variable.quantity == Quantity::kVoltage && bus_voltage_V;
   if (is_of_bus) bus_voltage_V = value;
+  const bool is_of_robot = direction.part == nullptr && !is_of_bus;
   try {
-    const Robot changed = is_of_bus ? robot_ : varied(robot_, variable, value);
+    const Robot changed = is_of_robot ? varied(robot_, variable, value) : robot_;
     const PlanStatus status = search_plan(changed, options).status;
     if (status == PlanStatus::kPlanned) return true;
     if (status == PlanStatus::kLimit && (is_stopped() || Clock::now() >= deadline)) {
@@ -145,7 +174,7 @@ ChangeTried Attempts::smallest(const Direction& direction, Clock::time_point dea
   std::size_t end = kShares.size();
   while (first < end) {
     const std::size_t rung = (first + end) / 2;
-    const std::optional<bool> answer = has_plan(variable, direction.value(rung), deadline);
+    const std::optional<bool> answer = has_plan(direction, direction.value(rung), deadline);
     change.is_cut_off = !answer;
     if (!answer) break;
     if (*answer || !change.has_plan) change.to = direction.value(rung);

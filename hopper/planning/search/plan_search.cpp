@@ -35,9 +35,11 @@ using optimization::NonlinearStatus;
 
 constexpr double kTolerance = 1e-6;   // of scaled rows and optimality; a choice of ours
 constexpr double kColdBarrier = 0.1;  // Ipopt's own start value, for a search far from any solution
-// Barrier for a search that begins near a solution. A choice of ours, tried on the hopper's flip:
-// with smaller ones searches stalled at limits (docs/derivations/collocation.md, "Error").
-constexpr double kWarmBarrier = 1e-2;
+// Barriers for searches that begin near a solution: after the first mesh, whose solution may be off
+// by much, and after those that follow. Choices of ours, tried on the hopper's flip: a greater one
+// takes more iterations, 1e-6 after the first mesh nearly twice as many.
+constexpr double kWarmBarrier = 1e-4;
+constexpr double kNearBarrier = 1e-6;
 // Largest residual of a plan at any instant, as a share of what `hopper check` allows as a
 // mean over its window: a plan that keeps to it passes there.
 constexpr double kUnexplainedShare = 1.0;
@@ -369,7 +371,8 @@ PlanResult Planner::plan() {
   bool is_solved = take_round(first_guess(), kColdBarrier);
   while (is_solved && !is_done() && refine()) {
     const PlannedMotion last = result_.plan;
-    is_solved = take_round(last, kWarmBarrier) || take_round(last, kColdBarrier);
+    const double barrier = result_.rounds.size() == 1 ? kWarmBarrier : kNearBarrier;
+    is_solved = take_round(last, barrier) || take_round(last, kColdBarrier);
   }
   if (is_solved) end(PlanStatus::kCheckFails, "");
   judge();

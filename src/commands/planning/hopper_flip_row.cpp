@@ -4,10 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "hopper/planning/search/longest_flight.hpp"
+#include "hopper/trials/success_rate.hpp"
 #include "src/commands/robot/hopper_check_row.hpp"
 
 namespace torquewright::cli {
@@ -41,6 +44,34 @@ std::optional<double> measure(const sweep::SweepRow& row, const std::string& nam
   return found != row.measures.end() ? found->value : std::nullopt;
 }
 
+/// Of trials that are done, how many succeeded, and between which shares the chance lies.
+std::vector<sweep::Measure> success_of(const std::optional<hopper::TrialOutcomes>& outcomes) {
+  if (!outcomes) return {{"success_share", {}}, {"success_least", {}}, {"success_most", {}}};
+  const hopper::TrialCounts counts = hopper::counted(*outcomes);
+  const hopper::ShareInterval interval = hopper::success_interval(counts);
+  std::optional<double> share;
+  if (counts.done() > 0) {
+    share = static_cast<double>(counts.succeeded) / static_cast<double>(counts.done());
+  }
+  return {{"success_share", share},
+          {"success_least", interval.least},
+          {"success_most", interval.greatest}};
+}
+
+/// What became of the trials that did not succeed, the verdicts in their own words.
+std::string failures_of(const hopper::TrialOutcomes& outcomes) {
+  std::map<std::string_view, std::size_t> counts;
+  for (const auto& outcome : outcomes) {
+    if (outcome && outcome->verdict == hopper::ReplayVerdict::kStands) continue;
+    ++counts[name_of(outcome ? outcome->verdict : hopper::ReplayVerdict::kUnfinished)];
+  }
+  std::string text;
+  for (const auto& [verdict, count] : counts) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, verdict);
+  }
+  return text.empty() ? text : fmt::format("of {} trials {}", outcomes.size(), text);
+}
+
 std::vector<sweep::Measure> measures_of(const PlanResult& result, const sweep::SweepRow& checked) {
   const hopper::PlannedPhase* flight = hopper::longest_flight(result.plan);
   const bool is_plan = result.status == PlanStatus::kPlanned;
@@ -52,6 +83,7 @@ std::vector<sweep::Measure> measures_of(const PlanResult& result, const sweep::S
   };
   return {of_check("margin_share"),
           of_check("margin_Nm"),
+          {"objective", is_plan ? std::optional(result.objective) : std::nullopt},
           {"cam_kg_m2_s", in_flight(result.angular_momentum_Nm_s)},
           {"cav_take_off_rad_s", in_flight(result.take_off_rad_s)},
           {"cav_peak_rad_s", in_flight(result.peak_rad_s)},
@@ -84,6 +116,12 @@ sweep::SweepRow hopper_flip_row(const hopper::Robot& robot, const hopper::CheckO
   row.why = result.reason;
   row.binding = result.status == PlanStatus::kPlanned ? checked.binding : binding_of(result);
   return row;
+}
+
+void add_trials(const std::optional<hopper::TrialOutcomes>& outcomes, sweep::SweepRow& row) {
+  const std::vector<sweep::Measure> success = success_of(outcomes);
+  row.measures.insert(row.measures.begin(), success.begin(), success.end());
+  if (outcomes) row.why = failures_of(*outcomes);
 }
 
 }  // namespace torquewright::cli

@@ -5,6 +5,7 @@
 
 #include "hopper/motion/ground_line.hpp"
 #include "src/report/motion/flip_words.hpp"
+#include "src/report/robot/gear_words.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -38,12 +39,8 @@ std::string load_lines(const PlanResult& result) {
   std::string text;
   if (!result.check) return text;
   for (const TransmissionLoad& load : result.check->transmission_loads) {
-    text += fmt::format(
-        "  gears    {}: {:.4g} Nm at the joint, {:.4g} Nm at the motor pass them over {:g} ms "
-        "(from "
-        "t = {:.4f} s){}\n",
-        load.drive, load.joint.mean, load.motor.mean, 1e3 * load.window_s, load.judged().time_s,
-        load.limit ? fmt::format(": {}", actuator::name_of(load.verdict)) : "");
+    text += fmt::format("  gears    {}: {}\n", load.drive,
+                        gear_words(load, fmt::format("{:.4f}", load.judged().time_s)));
   }
   return text;
 }

@@ -7,6 +7,7 @@
 
 #include "io/text/one_line.hpp"
 #include "src/report/motion/replay_words.hpp"
+#include "src/report/robot/gear_words.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -42,11 +43,8 @@ std::string drive_lines(const ReplayResult& result, std::size_t index) {
   }
   if (index >= result.transmission_loads.size()) return text;
   const TransmissionLoad& load = result.transmission_loads[index];
-  text += fmt::format(
-      "  gears    {:.4g} Nm at the joint, {:.4g} Nm at the motor pass them over {:g} ms (from t = "
-      "{:.4f} s){}\n",
-      load.joint.mean, load.motor.mean, 1e3 * load.window_s, load.judged().time_s,
-      load.limit ? fmt::format(": {}", actuator::name_of(load.verdict)) : "");
+  text +=
+      fmt::format("  gears    {}\n", gear_words(load, fmt::format("{:.4f}", load.judged().time_s)));
   const ContactLoad& contact = result.contact_loads[index];
   return text + fmt::format(
                     "  contacts ask for {:.4g} Nm at the joint, {:.4g} Nm at the motor "

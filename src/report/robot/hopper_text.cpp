@@ -11,6 +11,7 @@
 #include "io/text/one_line.hpp"
 #include "io/text/time_text.hpp"
 #include "src/report/actuator/check_text.hpp"
+#include "src/report/robot/gear_words.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -58,11 +59,8 @@ std::string motion_lines(const Robot& robot, const Motion& motion, const HopperR
 
 std::string load_lines(const HopperReport& report, std::size_t drive) {
   const TransmissionLoad& load = report.transmission_loads[drive];
-  std::string text = fmt::format(
-      "  gears    {:.4g} Nm at the joint, {:.4g} Nm at the motor pass them over {:g} ms (from t = "
-      "{} s){}\n",
-      load.joint.mean, load.motor.mean, 1e3 * load.window_s, io::time_text(load.judged().time_s),
-      load.limit ? fmt::format(": {}", actuator::name_of(load.verdict)) : "");
+  std::string text =
+      fmt::format("  gears    {}\n", gear_words(load, io::time_text(load.judged().time_s)));
   if (load.rotor_Nm_s > 0.0) {
     text += fmt::format("           {:.3g} Nm s for the rotor in the impact at t = {} s\n",
                         load.rotor_Nm_s, io::time_text(load.impact_time_s));

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "hopper/trials/explanation.hpp"
+#include "src/commands/planning/hopper_flip_inputs.hpp"
+#include "src/commands/robot/hopper_replay_parts.hpp"
+#include "src/options/hopper_flip_request.hpp"
+
+namespace torquewright::cli {
+
+/// How each plan of a sweep is tried: as `hopper replay --trials` would, with its defaults where
+/// nothing else is asked for.
+struct PlanTrials {
+  HopperReplayRequest replay;
+  hopper::ReadRandomisation read;
+};
+
+/// None where no trials are asked for. Throws io::SpecError where the document does not fit the
+/// robot or varies nothing, or the engine cannot hold it.
+std::optional<PlanTrials> read_plan_trials(const HopperFlipRequest& request,
+                                           const HopperFlipInputs& inputs);
+
+/// Replays a plan of the robot as often as asked for, in one thread. The outcomes are those of
+/// `hopper replay` of the plan's file. Throws io::SpecError where it cannot be replayed.
+hopper::TrialOutcomes outcomes_of(const PlanTrials& trials, const hopper::CheckOptions& check,
+                                  const hopper::Robot& robot, const hopper::PlanResult& plan);
+
+}  // namespace torquewright::cli
