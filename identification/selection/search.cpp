@@ -65,6 +65,23 @@ double unseen_squares(const ModelFit& model) {
   return std::max(0.0, model.unseen_loss) + model.noise_loss;
 }
 
+/// The same of the runs that no fit saw, and what of it is noise.
+struct HeldOutLeft {
+  double squares = 0.0, noise = 0.0;
+};
+
+HeldOutLeft left_held_out(const Rows& rows, const ModelFit& model) {
+  HeldOutLeft left;
+  double loss = 0.0;
+  for (std::size_t b = 0; b < rows.blocks().size(); ++b) {
+    if (!rows.blocks()[b].is_held_out()) continue;
+    loss += model.unseen[b];
+    left.noise += model.sums[b].noise;
+  }
+  left.squares = std::max(0.0, loss) + left.noise;
+  return left;
+}
+
 Eigen::VectorXd vector_of(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
@@ -214,10 +231,22 @@ bool Search::earns(const ModelFit& less, const ModelFit& more) const {
          gain.t > chance_t();
 }
 
+/// Whether the runs that no fit saw speak against a rival: it leaves more of them than what is as
+/// good where the best leaves noise, and several times as much where they hold what neither has.
+bool Search::fails_held_out(const ModelFit& rival, const ModelFit& best) const {
+  const HeldOutLeft by_best = left_held_out(fitter_.rows(), best);
+  const double explained2 = rules_.explained_floors * rules_.explained_floors;
+  const double model_error2 = rules_.unexplained_floors * rules_.unexplained_floors;
+  const bool is_noise = by_best.squares <= explained2 * by_best.noise;
+  return left_held_out(fitter_.rows(), rival).squares >
+         (is_noise ? explained2 : model_error2) * by_best.squares;
+}
+
 bool Search::is_refuted(const ModelFit& rival, const ModelFit& best) const {
   if (!rival.is_valid) return true;
   const double worse2 = rules_.explained_floors * rules_.explained_floors;
   if (unseen_squares(rival) > worse2 * unseen_squares(best)) return true;
+  if (fails_held_out(rival, best)) return true;
   const Comparison gain = compare(fitter_.rows(), rival, best);
   return gain.t > chance_t() &&
          gain.gain > rules_.least_share * (std::max(0.0, best.unseen_loss) + best.noise_loss);

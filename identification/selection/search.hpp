@@ -115,6 +115,7 @@ class Search {
   void ask_for_waves(const ModelFit& model);
   EffectSet askable(const ModelFit& model) const;
   double floor_rms(const ModelFit& model) const;
+  bool fails_held_out(const ModelFit& rival, const ModelFit& best) const;
   const ModelFit* step(const ModelFit& model);
   const ModelFit* pruned(const ModelFit* model);
   const ModelFit* smaller(const ModelFit& model);

@@ -202,37 +202,39 @@ TEST(Recorders, OfADriveThatIsOffAtTimesDoNotSeeWhatItDoesThen) {
   EXPECT_LT(found.after.holdout_rms, 1.3 * found.noise_floor_rms);
 }
 
-// Duty and bus voltage without a current: V = d bus is known, and so is the current that it drives.
-// The bus sags by 0.2 ohm.
-TEST(Recorders, WithoutACurrentShowTheSagByTheDuty) {
+// Duty or winding voltage, and the bus' voltage, without a current: V = d bus is known, and so is
+// the current that it drives. The bus sags by 0.2 ohm.
+TEST(Recorders, WithoutACurrentShowTheSag) {
   const Joint joint;
-  Log log = joint.log({each(0.005), 1e-5});
-  std::mt19937_64 random(2);
-  std::normal_distribution<double> noise_V(0.0, 0.005);
-  for (std::size_t r = 0; r < log.runs.size(); ++r) {
-    log.runs.change(r, [&](identification::Run& run) {
-      Channels& channels = run.joints[0];
-      channels[Quantity::kMotorCurrent].clear();
-      for (const double t : run.time_s) {
-        const Swing at(t);
-        const double winding_V = 0.3 * at.current_A() + 0.8 * at.speed_rad_s;
-        double bus_V = 48.0;
-        for (int k = 0; k < 50; ++k) bus_V = 48.0 - 0.2 * at.current_A() * winding_V / bus_V;
-        channels[Quantity::kDuty].push_back(winding_V / bus_V);
-        channels[Quantity::kBusVoltage].push_back(bus_V + noise_V(random));
-      }
+  for (const Quantity drive : {Quantity::kDuty, Quantity::kWindingVoltage}) {
+    Log log = joint.log({each(0.005), 1e-5});
+    std::mt19937_64 random(2);
+    std::normal_distribution<double> noise_V(0.0, 0.005);
+    for (std::size_t r = 0; r < log.runs.size(); ++r) {
+      log.runs.change(r, [&](identification::Run& run) {
+        Channels& channels = run.joints[0];
+        channels[Quantity::kMotorCurrent].clear();
+        for (const double t : run.time_s) {
+          const Swing at(t);
+          const double winding_V = 0.3 * at.current_A() + 0.8 * at.speed_rad_s;
+          double bus_V = 48.0;
+          for (int k = 0; k < 50; ++k) bus_V = 48.0 - 0.2 * at.current_A() * winding_V / bus_V;
+          channels[drive].push_back(drive == Quantity::kDuty ? winding_V / bus_V : winding_V);
+          channels[Quantity::kBusVoltage].push_back(bus_V + noise_V(random));
+        }
+      });
+    }
+    const auto results = analyse(joint.rig, log, 0, {&joint.actuator}, {});
+    const auto bus = std::find_if(results.begin(), results.end(), [](const EquationResult& each) {
+      return each.quantity == "bus_voltage_V";
     });
+    ASSERT_NE(bus, results.end()) << name_of(drive);
+    ASSERT_EQ(bus->added.size(), 1u) << name_of(drive);
+    EXPECT_EQ(bus->added[0].effect, "voltage_sag");
+    EXPECT_TRUE(is_certain(*bus, "voltage_sag"));
+    EXPECT_NEAR(bus->added[0].parameters.value("resistance_ohm", 0.0), 0.2,
+                kErrors * bus->added[0].parameters.standard_error("resistance_ohm"));
   }
-  bool is_found = false;
-  for (const EquationResult& each : analyse(joint.rig, log, 0, {&joint.actuator}, {})) {
-    if (each.quantity != "bus_voltage_V") continue;
-    is_found = true;
-    ASSERT_EQ(each.added.size(), 1u);
-    EXPECT_EQ(each.added[0].effect, "voltage_sag");
-    EXPECT_NEAR(each.added[0].parameters.value("resistance_ohm", 0.0), 0.2,
-                kErrors * each.added[0].parameters.standard_error("resistance_ohm"));
-  }
-  EXPECT_TRUE(is_found);
 }
 
 }  // namespace

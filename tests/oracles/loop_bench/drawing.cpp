@@ -8,6 +8,7 @@
 #include "tests/oracles/loop_bench/hidden_laws.hpp"
 #include "tests/oracles/loop_bench/recover.hpp"
 #include "tests/oracles/loop_bench/situation.hpp"
+#include "tests/oracles/loop_bench/undecidable.hpp"
 
 namespace torquewright::oracles::loop {
 namespace {
@@ -150,12 +151,17 @@ Situation drawn_with(const std::string& kind, std::uint64_t seed, double share_f
   it.kind = kind;
   it.seed = seed;
   it.rig.shape = draws.one_of(std::vector<std::string>{"flywheel", "pendulum", "arm", "leg"});
+  if (kind == "undecidable") it.rig.shape = "flywheel";
   it.rig.links = drawn_links(it.rig.shape, draws);
   const auto scales = scales_of(it.rig.links);
   for (const Scale& scale : scales) it.rig.drives.push_back(drawn_drive(scale, draws));
   it.sensing = drawn_sensing(it, draws);
   draw_loop_and_runs(scales, draws, it);
   it.joint = it.rig.joints() > 1 && draws.chance(0.5) ? 1 : 0;
+  if (kind == "undecidable") {
+    draw_undecidable(scales[0].torque_Nm, share_factor, draws, it);
+    return it;
+  }
   draw_hidden(scales, share_factor, draws, it);
   if (kind == "outside") {
     it.accept.clear();
@@ -169,9 +175,12 @@ Situation drawn_with(const std::string& kind, std::uint64_t seed, double share_f
 
 Made recorded(Situation situation) {
   Made out;
-  for (std::size_t run = 0; run < situation.runs.size(); ++run)
-    out.records.push_back(sensed(situation.rig, situation.sensing,
-                                 moved(situation.rig, situation.loop, situation.runs[run]), run));
+  for (std::size_t run = 0; run < situation.runs.size(); ++run) {
+    auto states = moved(situation.rig, situation.loop, situation.runs[run]);
+    const auto before = static_cast<std::ptrdiff_t>(situation.runs[run].before_s / kStep_s);
+    states.erase(states.begin(), states.begin() + before);
+    out.records.push_back(sensed(situation.rig, situation.sensing, states, run));
+  }
   out.situation = std::move(situation);
   recover(out);
   return out;
@@ -180,9 +189,9 @@ Made recorded(Situation situation) {
 }  // namespace
 
 Situation drawn(const std::string& kind, std::uint64_t seed) {
-  static const std::vector<std::string> kKinds{"none", "one", "two", "outside"};
+  static const std::vector<std::string> kKinds{"none", "one", "two", "undecidable", "outside"};
   if (std::find(kKinds.begin(), kKinds.end(), kind) == kKinds.end())
-    throw std::invalid_argument("classes: none, one, two, outside");
+    throw std::invalid_argument("classes: none, one, two, undecidable, outside");
   return drawn_with(kind, seed, 1.0);
 }
 

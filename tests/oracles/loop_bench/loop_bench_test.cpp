@@ -86,6 +86,47 @@ TEST(LoopBench, AHiddenLawIsOneToThreeHundredFloorsAndIsInTheLog) {
               again.records[run].back().joints[0].current_A);
 }
 
+/// Currents that are logged in the first run where this is what is hidden.
+std::vector<double> currents_A(Situation it, const std::vector<Law>& hidden, double offset_A) {
+  it.rig.drives[0].hidden = hidden;
+  it.sensing.current_offset_A = offset_A;
+  auto states = moved(it.rig, it.loop, it.runs[0]);
+  states.erase(states.begin(),
+               states.begin() + static_cast<std::ptrdiff_t>(it.runs[0].before_s / kStep_s));
+  std::vector<double> currents;
+  for (const Row& row : sensed(it.rig, it.sensing, states, 0))
+    currents.push_back(row.joints[0].current_A);
+  return currents;
+}
+
+/// Root of the mean square, over the noise.
+double apart_floors(const Situation& it, const std::vector<double>& a,
+                    const std::vector<double>& b) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += (a[k] - b[k]) * (a[k] - b[k]);
+  return std::sqrt(sum / static_cast<double>(a.size())) / it.sensing.current_noise_A;
+}
+
+// Oracle: the other law's own log by the same noise, at thirty floors; a hundredth of one is
+// what the loop's period and the settling make of it.
+TEST(LoopBench, AnUndecidableLogIsThatOfAnotherLawToo) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    const Situation it = drawn("undecidable", seed);
+    const double per_A = it.rig.drives[0].torque_per_current_Nm_A();
+    const double offset_A = 30.0 * it.sensing.current_noise_A, level_Nm = offset_A * per_A;
+    const double turning_rad_s = it.runs[0].references[0].turning_rad_s;
+    const auto dry = currents_A(it, {{"coulomb_friction", {{"coulomb_Nm", level_Nm}}}}, 0.0);
+    EXPECT_LT(apart_floors(it, dry, currents_A(it, {}, offset_A)), 0.01) << seed;
+    const Law drag{"viscous_friction", {{"viscous_Nm_s_rad", level_Nm / turning_rad_s}}};
+    const double by_drag = apart_floors(it, dry, currents_A(it, {drag}, 0.0));
+    if (seed % 2 == 0) {
+      EXPECT_LT(by_drag, 0.01) << seed;
+    } else {
+      EXPECT_GT(by_drag, 1.0) << seed;  // other speeds tell
+    }
+  }
+}
+
 TEST(LoopBench, UnknownClassesAreRefused) {
   EXPECT_THROW((void)drawn("many", 1), std::invalid_argument);
 }

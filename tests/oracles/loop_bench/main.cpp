@@ -24,7 +24,9 @@ int main(int count, char** arguments) {
   namespace loop = torquewright::oracles::loop;
   const auto seed = count == 4 ? seed_in(arguments[2]) : std::nullopt;
   if (!seed) {
-    std::fputs("usage: loop_bench CLASS SEED FOLDER\nclasses: none, one, two, outside\n", stderr);
+    std::fputs(
+        "usage: loop_bench CLASS SEED FOLDER\nclasses: none, one, two, undecidable, outside\n",
+        stderr);
     return 2;
   }
   try {

@@ -78,7 +78,7 @@ void step(const Rig& rig, const std::vector<std::vector<Law>>& laws, double time
 }  // namespace
 
 double Reference::at(double time_s) const {
-  double sum = middle_rad;
+  double sum = middle_rad + turning_rad_s * time_s;
   for (const Wave& wave : waves)
     sum += wave.amplitude_rad * std::sin(wave.rate_rad_s * time_s + wave.phase_rad);
   const double part = std::fmod(time_s / ramp_period_s, 1.0) * 4.0;

@@ -7,12 +7,13 @@
 
 namespace torquewright::oracles::loop {
 
-/// What a joint is asked to follow: waves, and ramps between rests.
+/// What a joint is asked to follow: an even turning, waves, and ramps between rests.
 struct Wave {
   double amplitude_rad = 0.0, rate_rad_s = 0.0, phase_rad = 0.0;
 };
 struct Reference {
   double middle_rad = 0.0;
+  double turning_rad_s = 0.0;
   std::vector<Wave> waves;
   double ramp_rad = 0.0, ramp_period_s = 4.0;  ///< There in a quarter, rest, back, rest.
   double at(double time_s) const;
@@ -21,6 +22,7 @@ struct Reference {
 struct Run {
   double duration_s = 10.0;
   std::vector<Reference> references;  ///< By joint.
+  double before_s = 0.0;              ///< Of it, before the record begins.
 };
 
 struct Loop {

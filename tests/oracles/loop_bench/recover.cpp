@@ -317,6 +317,23 @@ double size_of(const Situation& it, const std::vector<Heard>& runs, const Truth&
   return most;
 }
 
+/// What a number is where its law does nothing, or is no more than a simpler one.
+struct Neutral {
+  double value = 0.0, error = 0.0;
+};
+
+Neutral neutral_of(const Situation& it, Truth& truth, const std::vector<Free>& free, const Fit& fit,
+                   std::size_t k) {
+  if (free[k].key == "factor") return {1.0, 0.0};
+  const std::string simpler = free[k].key == "breakaway_Nm"          ? "coulomb_Nm"
+                              : free[k].key == "coulomb_negative_Nm" ? "coulomb_positive_Nm"
+                                                                     : "";
+  for (std::size_t other = 0; other < free.size(); ++other)
+    if (free[other].belongs_to == free[k].belongs_to && free[other].key == simpler)
+      return {*number(truth, it.hidden, free[other]), fit.error[other]};
+  return {};
+}
+
 }  // namespace
 
 void recover(Made& made) {
@@ -345,9 +362,10 @@ void recover(Made& made) {
   made.is_recoverable.assign(it.hidden.size(), !fit.error.empty());
   for (std::size_t k = 0; k < fit.error.size(); ++k) {
     if (free[k].is_phase || free[k].belongs_to >= it.hidden.size()) continue;
-    const double neutral = free[k].key == "factor" ? 1.0 : 0.0;
-    const double beyond = std::abs(*number(truth, it.hidden, free[k]) - neutral);
-    if (!(beyond > 3.0 * fit.error[k])) made.is_recoverable[free[k].belongs_to] = false;
+    const Neutral neutral = neutral_of(it, truth, free, fit, k);
+    const double beyond = std::abs(*number(truth, it.hidden, free[k]) - neutral.value);
+    if (!(beyond > 3.0 * std::hypot(fit.error[k], neutral.error)))
+      made.is_recoverable[free[k].belongs_to] = false;
   }
 }
 

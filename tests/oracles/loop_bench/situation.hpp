@@ -12,7 +12,7 @@ namespace torquewright::oracles::loop {
 
 /// A rig, what is asked of it, how it is recorded, and what its documents do not say.
 struct Situation {
-  std::string kind;  ///< none, one, two or outside.
+  std::string kind;  ///< none, one, two, undecidable or outside.
   std::uint64_t seed = 0;
   Rig rig;
   Loop loop;
