@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hopper/record/load_window.hpp"
+#include "hopper/tracking/control_account.hpp"
 #include "hopper/tracking/reference.hpp"
 
 namespace torquewright::hopper {
@@ -47,6 +48,7 @@ struct Record {
   /// Least voltage of the drives that have a winding, over all steps; empty: there are none.
   std::optional<double> least_bus_V;
   double least_bus_s = 0.0;
+  ControlAccount account;  ///< The controller's own.
 };
 
 }  // namespace torquewright::hopper

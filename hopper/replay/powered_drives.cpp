@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "actuator/region/bracketed_search.hpp"
 #include "hopper/replay/free_rotors.hpp"
@@ -179,6 +180,22 @@ class PoweredDrives::Work {
     return step_;
   }
 
+  void ranges(const VectorXd& speed_rad_s, const VectorXd& bus_V, const VectorXd& winding_K,
+              VectorXd& least_Nm, VectorXd& greatest_Nm) const {
+    least_Nm.resize(size());
+    greatest_Nm.resize(size());
+    for (const Bus& bus : buses_) {
+      for (const std::size_t drive : bus.feeds.drives) {
+        const auto i = static_cast<Index>(drive);
+        const actuator::Interval range = drives_[drive].range(
+            bus_V.size() > 0 ? bus_V[i] : bus.feeds.supply.open_circuit_V,
+            winding_K.size() > 0 ? winding_K[i] : drives_[drive].winding_K(), speed_rad_s[i]);
+        least_Nm[i] = range.least_Nm;
+        greatest_Nm[i] = range.greatest_Nm;
+      }
+    }
+  }
+
   Index size() const { return static_cast<Index>(drives_.size()); }
   bool has_heat(Index drive) const { return drives_[static_cast<std::size_t>(drive)].has_heat(); }
 
@@ -310,7 +327,34 @@ const DriveStep& PoweredDrives::drive(const VectorXd& wanted_Nm, const VectorXd&
   return work_->drive(wanted_Nm, position_rad, speed_rad_s, step_s);
 }
 
+void PoweredDrives::ranges(const VectorXd& speed_rad_s, const VectorXd& bus_V,
+                           const VectorXd& winding_K, VectorXd& least_Nm,
+                           VectorXd& greatest_Nm) const {
+  work_->ranges(speed_rad_s, bus_V, winding_K, least_Nm, greatest_Nm);
+}
+
 Index PoweredDrives::size() const { return work_->size(); }
 bool PoweredDrives::has_heat(Index drive) const { return work_->has_heat(drive); }
+
+namespace {
+
+class RangesOfDrives final : public DriveRanges {
+ public:
+  explicit RangesOfDrives(PoweredDrives drives) : drives_(std::move(drives)) {}
+  void at(const VectorXd& speed_rad_s, const VectorXd& bus_V, const VectorXd& winding_K,
+          VectorXd& least_Nm, VectorXd& greatest_Nm) const override {
+    drives_.ranges(speed_rad_s, bus_V, winding_K, least_Nm, greatest_Nm);
+  }
+
+ private:
+  PoweredDrives drives_;
+};
+
+}  // namespace
+
+std::shared_ptr<const DriveRanges> drive_ranges(const Robot& robot,
+                                                const PoweredDriveOptions& options) {
+  return std::make_shared<const RangesOfDrives>(PoweredDrives(robot, options));
+}
 
 }  // namespace torquewright::hopper

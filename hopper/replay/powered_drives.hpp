@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "hopper/replay/powered_drive_options.hpp"
+#include "hopper/tracking/drive_ranges.hpp"
 #include "robot/model/robot.hpp"
 
 namespace torquewright::hopper {
@@ -63,6 +64,12 @@ class PoweredDrives {
   const DriveStep& drive(const Eigen::VectorXd& wanted_Nm, const Eigen::VectorXd& position_rad,
                          const Eigen::VectorXd& speed_rad_s, double step_s);
 
+  /// Torques between which each drive is held, as DriveRanges::at() has it: what drive() cuts to,
+  /// but for batteries that cannot give the power of all.
+  void ranges(const Eigen::VectorXd& speed_rad_s, const Eigen::VectorXd& bus_V,
+              const Eigen::VectorXd& winding_K, Eigen::VectorXd& least_Nm,
+              Eigen::VectorXd& greatest_Nm) const;
+
   Eigen::Index size() const;
   bool has_heat(Eigen::Index drive) const;
 
@@ -71,5 +78,9 @@ class PoweredDrives {
   explicit PoweredDrives(std::unique_ptr<Work> work);
   std::unique_ptr<Work> work_;
 };
+
+/// The ranges of a robot's drives under these options, for a controller.
+std::shared_ptr<const DriveRanges> drive_ranges(const Robot& robot,
+                                                const PoweredDriveOptions& options);
 
 }  // namespace torquewright::hopper

@@ -63,9 +63,15 @@ void require_replayable(const Robot& robot, const Motion& motion, const HopperRe
   require_steps_follow_effects(robot, motion.positions.col(0), options.run.step_s);
 }
 
-TrackingOptions tracking_options(const ReplayOptions& options) {
-  return {options.run.step_s * options.run.steps_per_control, options.clock, options.impact,
-          options.acts_late || options.run.latency_steps > 0};
+TrackingOptions tracking_options(const Robot& robot, const ReplayOptions& options) {
+  return {options.run.step_s * options.run.steps_per_control,
+          options.clock,
+          options.impact,
+          options.acts_late || options.run.latency_steps > 0,
+          options.tasks,
+          [&robot, &options] {
+            return drive_ranges(robot, {options.limits, options.conditions, {}, {}});
+          }};
 }
 
 }  // namespace
@@ -113,7 +119,7 @@ struct Replay::Ready {
         options(over_ground_of(motion, with)),
         reference(of, motion, report.contacts, report.torques_Nm),
         flights(flights_of(reference, report.flights)),
-        controller(with.controller->prepare(of, reference, tracking_options(with))) {}
+        controller(with.controller->prepare(of, reference, tracking_options(of, with))) {}
 
   Ready(const Robot& of, FreeRun run, const ReplayOptions& with)
       : robot(of),

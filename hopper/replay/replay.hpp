@@ -20,6 +20,7 @@ namespace torquewright::hopper {
 struct ReplayOptions {
   const EngineKind* engine = &engines::own;
   const ControllerKind* controller = &controllers::lqr;
+  std::shared_ptr<const OperationalTasks> tasks;  ///< Of a controller that has some; null: usual.
   DriveLimits limits = DriveLimits::kMor;
   ImpactOptions impact;
   ClockOptions clock;

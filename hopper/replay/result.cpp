@@ -167,6 +167,7 @@ void note_run(const Robot& robot, const Record& record, double load_window_s,
     add_heat(drive, result.findings);
   }
   add_starved(record, result.findings);
+  result.account = record.account;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hopper/demand/checked_motion.hpp"
+#include "hopper/tracking/control_account.hpp"
 #include "hopper/verdict/goal.hpp"
 #include "hopper/verdict/verdict.hpp"
 
@@ -46,6 +47,7 @@ struct ReplayResult {
   std::optional<double> least_bus_V;
   double least_bus_s = 0.0;
   double greatest_power_W = 0.0;
+  ControlAccount account;  ///< Of a controller that weighs tasks.
   std::vector<Finding> findings;
 };
 

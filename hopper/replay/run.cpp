@@ -100,6 +100,8 @@ class Run {
     seen.position = parts_.engine.position();
     seen.velocity = parts_.engine.velocity();
     seen.touches = seen_touches_;
+    seen.bus_V = row_.bus_V;
+    seen.winding_K = row_.winding_K;
     seen_touches_.setConstant(false);
     if (parts_.sense) parts_.sense(look_number_++, seen);
     looks_.push_back(std::move(seen));
@@ -235,6 +237,7 @@ class Run {
 
   void finish() {
     record_.end_s = time_s();
+    record_.account = parts_.controller.account();
     const auto made = std::max<Index>(1, static_cast<Index>(record_.steps.times_s.size())) - 1;
     for (Eigen::MatrixXd* table : tables()) table->conservativeResize(drives_, made);
   }

@@ -108,15 +108,17 @@ void WorkingDrive::want(double wanted_Nm, double output_speed_rad_s) {
   is_loaded_ = false;
 }
 
+actuator::Interval WorkingDrive::range(double bus_V, double winding_K, double speed_rad_s) const {
+  return box_ ? actuator::limits(box_->view(), speed_rad_s)
+              : fixed_->region->limits(bus_V, winding_K, speed_rad_s);
+}
+
 void WorkingDrive::hold(double bus_V) {
   if (!(bus_V > 0.0)) {
     switch_off();
     return;
   }
-  const actuator::Interval limits =
-      box_ ? actuator::limits(box_->view(), speed_rad_s_)
-           : fixed_->region->limits(bus_V, nodes_.winding_K, speed_rad_s_);
-  held_Nm_ = torquewright_clamp(wanted_Nm_, limits);
+  held_Nm_ = torquewright_clamp(wanted_Nm_, range(bus_V, nodes_.winding_K, speed_rad_s_));
   if (is_loaded_ && held_Nm_ == made_Nm_ && is_same_current(bus_V)) return;
   load(held_Nm_, bus_V);
 }

@@ -58,6 +58,8 @@ class WorkingDrive {
   /// friction, which is smoothed about rest so widely that no step of this length reverses the
   /// motion. Once in a step, before end(). `output_position_rad` is where the step begins.
   double acting_Nm(double output_position_rad, double step_s);
+  /// Torques between which it is held at that voltage, temperature and speed of its output.
+  actuator::Interval range(double bus_V, double winding_K, double speed_rad_s) const;
   double winding_K() const { return nodes_.winding_K; }
   bool has_heat() const { return heat_.has_value(); }
   /// False of a drive that is known by its curve alone.

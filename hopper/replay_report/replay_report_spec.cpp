@@ -78,6 +78,18 @@ ordered_json heat_json(const std::vector<DriveReplay>& drives) {
   return list;
 }
 
+ordered_json account_json(const ControlAccount& account) {
+  ordered_json list = ordered_json::array();
+  for (const TaskAccount& task : account.tasks) {
+    list.push_back({{"task", task.task},
+                    {"unit", task.unit},
+                    {"rms", task.rms},
+                    {"worst", task.worst},
+                    {"worst_time_s", task.worst_s}});
+  }
+  return {{"looks", account.looks}, {"unsolved", account.unsolved}, {"tasks", list}};
+}
+
 ordered_json findings_json(const std::vector<Finding>& findings) {
   ordered_json list = ordered_json::array();
   for (const Finding& finding : findings) list.push_back(actuator::finding_json(finding));
@@ -211,6 +223,7 @@ ordered_json replay_report_json(const ReplayReport& report) {
         {"least_time_s", result.least_bus_s},
         {"greatest_power_W", result.greatest_power_W}}},
       {"findings", findings_json(result.findings)}};
+  if (!result.account.tasks.empty()) document["tasks"] = account_json(result.account);
   if (!report.sweep.empty()) document["step_sweep"] = sweep_json(report.sweep);
   if (report.trials) document["trials"] = trials_json(*report.trials);
   return document;

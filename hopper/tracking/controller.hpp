@@ -5,6 +5,7 @@
 #include <memory>
 #include <string_view>
 
+#include "hopper/tracking/control_account.hpp"
 #include "hopper/tracking/impact_handling.hpp"
 #include "hopper/tracking/reference.hpp"
 
@@ -18,6 +19,9 @@ struct Observation {
   Eigen::VectorXd position;
   Eigen::VectorXd velocity;
   TouchingPoints touches;  ///< Points that the ground pressed on since the last look.
+  /// Of the drives, as they were last (drives x 1); empty where nothing was measured yet.
+  Eigen::VectorXd bus_V = {};
+  Eigen::VectorXd winding_K = {};
 };
 
 /// A controller of a robot's drives: a tracking law, later a learned policy. It may remember; one
@@ -35,6 +39,8 @@ class Controller {
   /// The part of the torques last wanted that does not depend on what was seen (drives x 1): the
   /// rest is feedback. Zero where there is no such part.
   virtual const Eigen::VectorXd& fed_forward_Nm() const = 0;
+  /// What became of its tasks since the start; empty of one that has none.
+  virtual ControlAccount account() const { return {}; }
 };
 
 }  // namespace torquewright::hopper

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string_view>
 
 #include "hopper/tracking/controller.hpp"
+#include "hopper/tracking/drive_ranges.hpp"
 #include "hopper/tracking/reference_clock.hpp"
 
 namespace torquewright::hopper {
+
+struct OperationalTasks;
 
 /// Options of all controllers that follow a motion.
 struct TrackingOptions {
@@ -15,6 +19,10 @@ struct TrackingOptions {
   ClockOptions clock;
   ImpactOptions impact;
   bool acts_late = false;  ///< Whether torques may act later than the look that they answer.
+  /// What a controller of tasks weighs; null: the usual of the robot.
+  std::shared_ptr<const OperationalTasks> tasks = nullptr;
+  /// Makes the ranges of the robot's drives, for a controller that needs them.
+  std::function<std::shared_ptr<const DriveRanges>()> make_ranges = {};
 };
 
 /// A controller made ready for a robot and a motion once, for any number of runs and threads.
@@ -29,6 +37,7 @@ class ReadyController {
 struct ControllerKind {
   std::string_view name;
   std::string_view sentence;  ///< Description for a user.
+  bool has_tasks = false;     ///< Whether it weighs tasks, which a document may state.
   /// Robot and reference must outlive it. io::SpecError where it cannot follow this motion.
   std::unique_ptr<const ReadyController> (*prepare)(const Robot& robot, const Reference& reference,
                                                     const TrackingOptions& options) = nullptr;

@@ -72,9 +72,13 @@ void add_tracking_options(command_line::Command& command, HopperReplayRequest& r
       .add_option("--controller", request.controller,
                   "What follows the motion: " +
                       named_sentences(hopper::every_controller(), "{}, {}", "; ") +
-                      "; all feed the motion's own torques forward")
+                      "; all but osc feed the motion's own torques forward")
       .one_of(hopper::controller_names())
       .stated_elsewhere_as("controller", kCountedPlace);
+  command
+      .add_option("--tasks", request.tasks_file,
+                  "Document of kind controller: what --controller osc weighs, and how much")
+      .otherwise("centre of mass and base while it stands, joints in the air");
   command
       .add_option("--impact", request.impact,
                   "What is fed back of the error of velocities about an impact: default (all), "

@@ -20,6 +20,7 @@ struct HopperReplayRequest {
   std::string engine = "own";
   std::string limits = "mor";
   std::string controller = "lqr";
+  std::string tasks_file;  ///< Of a controller that weighs tasks; empty: the robot's usual.
   std::string impact = "default";
   std::string impact_metric = "euclidean";
   std::string impact_contact = "first";

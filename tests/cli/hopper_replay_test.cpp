@@ -70,7 +70,7 @@ class HopperReplay : public testing::Test {
 TEST_F(HopperReplay, ASquatStandsInBothEnginesAtTheTorquesOfTheCheck) {
   const json check = json::parse(run({"--json"}, "squat", "check").out);
   for (const char* engine : {"own", "mujoco"}) {
-    for (const char* controller : {"lqr", "pd"}) {
+    for (const char* controller : {"lqr", "pd", "osc"}) {
       const json replayed = report({"--engine", engine, "--controller", controller});
       EXPECT_EQ(replayed["verdict"], "stands") << replayed["end"];
       EXPECT_EQ(replayed["engine"], engine);
@@ -86,6 +86,31 @@ TEST_F(HopperReplay, ASquatStandsInBothEnginesAtTheTorquesOfTheCheck) {
       }
     }
   }
+}
+
+// A document's tasks are told one by one, and no torque is asked for that a drive cannot give: also
+// where the bus has too little voltage for the hop, whose torques another controller is cut from.
+TEST_F(HopperReplay, TasksAreWeighedWithinTheDrivesRegions) {
+  const Words tasks{"--controller", "osc", "--tasks", "specs/controller/hopper.json"};
+  const json stood = report(tasks);
+  EXPECT_EQ(stood["verdict"], "stands") << stood["end"];
+  ASSERT_EQ(stood["tasks"]["tasks"].size(), 5u);
+  EXPECT_EQ(stood["tasks"]["tasks"][0]["task"], "center_of_mass, stance");
+  EXPECT_EQ(stood["tasks"]["unsolved"], 0);
+  EXPECT_GT(stood["tasks"]["looks"].get<int>(), 1000);
+  const auto cut_Nm = [](const json& replayed) {
+    double most_Nm = 0.0;
+    for (const json& drive : replayed["joints"]) {
+      most_Nm = std::max(most_Nm, drive["peak_cut_off_Nm"].get<double>());
+    }
+    return most_Nm;
+  };
+  Words low = tasks;
+  low.insert(low.end(), {"--bus-voltage", "20"});
+  const double other_Nm = cut_Nm(report({"--controller", "pd", "--bus-voltage", "20"}, "hop"));
+  EXPECT_GT(other_Nm, 10.0);
+  // Voltage and speed go on changing for half a millisecond after the look.
+  EXPECT_LT(cut_Nm(report(low, "hop")), 0.1 * other_Nm);
 }
 
 // Oracles: `hopper check`, by which the knee is farthest outside its region at take-off, at t =
@@ -335,6 +360,14 @@ TEST_F(HopperReplay, AControllerThatIsTooLateEndsWithTimeAndReason) {
 
 TEST_F(HopperReplay, RefusesByName) {
   expect_refusal({"--ground-rise", "0.01"}, "is 0.01 m below the ground");
+  expect_refusal({"--tasks", "specs/controller/hopper.json"}, "belongs with --controller osc");
+  place_.write(
+      "other.json",
+      R"({"kind": "controller", "version": 1, "robot": "Cassie", "tasks": [{"task": "joint"}]})");
+  expect_refusal({"--controller", "osc", "--tasks", "other.json"},
+                 "other.json#/robot: is for \"Cassie\", and the robot is \"one-legged hopper\"");
+  expect_refusal({"--controller", "osc", "--impact", "invariant", "--impact-metric", "inertia"},
+                 "--impact-metric: is euclidean with --controller osc");
   expect_refusal({"--trials", "3"}, "needs --randomise");
   place_.write("none.json", R"({"kind": "randomisation", "version": 1,
     "friction_coefficient": {"least": 0.6, "greatest": 0.6}})");

@@ -13,6 +13,7 @@
 #include "hopper/engines/library.hpp"
 #include "hopper/record/run_series.hpp"
 #include "hopper/tracking/library.hpp"
+#include "hopper/tracking/operational/tasks_spec.hpp"
 #include "hopper/trials/causes.hpp"
 #include "hopper/trials/randomisation_spec.hpp"
 #include "io/faults/refusal.hpp"
@@ -134,6 +135,9 @@ void require_held(const hopper::EngineKind& engine, const hopper::Robot& robot) 
 }  // namespace
 
 void require_consistent(const HopperReplayRequest& request) {
+  if (!request.tasks_file.empty() && !hopper::controller_named(request.controller).has_tasks) {
+    io::refuse("--tasks", "belongs with --controller osc, which alone weighs tasks");
+  }
   require_step(request);
   require_window(request);
   require_effect(request);
@@ -264,6 +268,15 @@ void require_no_task(const HopperReplayRequest& request) {
     io::refuse("--forward", "commands a policy; a motion goes as it is planned");
 }
 
+/// What a controller of tasks weighs, where a document says so.
+void add_tasks(const HopperReplayRequest& request, const hopper::Robot& robot,
+               hopper::ReplayOptions& options, HopperCheckInputs& inputs) {
+  if (request.tasks_file.empty()) return;
+  hopper::ReadTasks read = hopper::read_tasks(request.tasks_file, robot);
+  options.tasks = std::make_shared<const hopper::OperationalTasks>(std::move(read.tasks));
+  inputs.columns.push_back(std::move(read.document));
+}
+
 ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   if (names_policy(request.motion.trajectory_file)) return run_policy_replay(request);
   require_no_task(request);
@@ -280,6 +293,7 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   check_replay_files(request);  // now that the files that others name are known
   require_page("--report", request.report_file);
   hopper::ReplayOptions options = replay_options(request, inputs);
+  add_tasks(request, robot, options, inputs);
   const hopper::HopperReport check = hopper::check_motion(robot, motion, inputs.check);
   catch_interrupt();
   if (randomised) inputs.columns.push_back(randomised->document);

@@ -27,6 +27,7 @@ void require_no_tracking(const HopperReplayRequest& request) {
     if (is_given) io::refuse(option, "is for following a motion: a policy follows none");
   };
   refuse_if(request.controller != usual.controller, "--controller");
+  refuse_if(!request.tasks_file.empty(), "--tasks");
   refuse_if(request.impact != usual.impact, "--impact");
   refuse_if(request.fixed_clock, "--fixed-clock");
   refuse_if(request.without_filter, "--no-filter");

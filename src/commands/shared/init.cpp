@@ -43,8 +43,9 @@ struct StartedKind {
   std::string_view next;  ///< {} is the document.
 };
 
-constexpr std::array<StartedKind, 10> kStartedKinds{{
+constexpr std::array<StartedKind, 11> kStartedKinds{{
     {"actuator", "actuator mor {}"},
+    {"controller", "hopper replay ROBOT MOTION --controller osc --tasks {}"},
     {"gear_strength", "gearbox strength {} --torque 20 --side joint"},
     {"gearbox", "actuator mor ACTUATOR, whose \"gearbox\" names this file as its \"file\""},
     {"gearbox_problem", "gearbox optimize {}"},

@@ -52,6 +52,18 @@ std::string drive_lines(const ReplayResult& result, std::size_t index) {
                     contact.joint_Nm, contact.motor_Nm, contact.time_s);
 }
 
+std::string task_lines(const ControlAccount& account) {
+  if (account.tasks.empty()) return "";
+  std::string text = fmt::format(
+      "\ntasks, of {} looks{}\n", account.looks,
+      account.unsolved > 0 ? fmt::format(" ({} without an answer)", account.unsolved) : "");
+  for (const TaskAccount& task : account.tasks) {
+    text += fmt::format("  {:<24} off by {:.3g} {} rms, {:.3g} at most (t = {:.4f} s)\n", task.task,
+                        task.rms, task.unit, task.worst, task.worst_s);
+  }
+  return text;
+}
+
 std::string sweep_lines(const std::vector<SweptStep>& sweep) {
   if (sweep.empty()) return "";
   std::string text =
@@ -114,6 +126,7 @@ std::string replay_text(const Robot& robot, const Motion& motion, const ReplayRe
   text += end_lines(motion, result);
   text += "  battery  " + battery_words(result) + "\n";
   for (std::size_t i = 0; i < result.drives.size(); ++i) text += drive_lines(result, i);
+  text += task_lines(result.account);
   text += sweep_lines(report.sweep);
   if (report.trials) text += trials_lines(*report.trials);
   text += "\n";

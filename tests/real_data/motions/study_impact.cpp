@@ -73,7 +73,7 @@ class Study {
 /// What a cell says: default / without derivative / invariant.
 template <typename Of>
 std::string three(const Results& results, Of of) {
-  return fmt::format("{} / {} / {}", of(results[0]), of(results[1]), of(results[2]));
+  return fmt::format("{}/{}/{}", of(results[0]), of(results[1]), of(results[2]));
 }
 
 /// Contact, torque and the errors of either leg as cells of a row.
