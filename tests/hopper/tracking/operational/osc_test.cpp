@@ -108,8 +108,10 @@ struct Stood {
 Stood stand(const Robot& robot, const Reference& reference,
             const std::shared_ptr<const OperationalTasks>& tasks, const VectorXd& velocity) {
   const PoweredDriveOptions options;
-  const auto osc = operational_controller(robot, reference, tasks, drive_ranges(robot, options),
-                                          {.impact = {ImpactHandling::kDefault}});
+  TrackingOptions tracking;
+  tracking.impact.handling = ImpactHandling::kDefault;
+  const auto osc =
+      operational_controller(robot, reference, tasks, drive_ranges(robot, options), tracking);
   test::ClosedLoop loop(robot, *osc, {1e-3, 4});
   ReferenceInstant first;
   reference.at(0.0, first);
