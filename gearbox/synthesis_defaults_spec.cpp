@@ -82,15 +82,19 @@ void assume_for_synthesis(json& problem) {
   assume_all(problem);
 }
 
+nlohmann::ordered_json synthesis_in_few_lines() {
+  return {{"kind", "gearbox_problem"},
+          {"version", 1},
+          {"topology", "3k"},
+          {"target_ratio", 20},
+          {"rotor_inner_diameter_mm", 79.4},
+          {"load", {{"output_torque_Nm", 120}, {"cycles", 1000000}}},
+          {"synthesis", {{"gap", 0.001}}}};
+}
+
 nlohmann::ordered_json synthesis_to_start_from() {
-  nlohmann::ordered_json problem{{"kind", "gearbox_problem"},
-                                 {"version", 1},
-                                 {"topology", "3k"},
-                                 {"target_ratio", 20},
-                                 {"rotor_inner_diameter_mm", 79.4},
-                                 {"load", {{"output_torque_Nm", 120}, {"cycles", 1000000}}},
-                                 {"synthesis", {{"gap", 0.001}}},
-                                 {"assumed", nlohmann::ordered_json::array()}};
+  nlohmann::ordered_json problem = synthesis_in_few_lines();
+  problem["assumed"] = nlohmann::ordered_json::array();
   assume_all(problem);
   return problem;
 }

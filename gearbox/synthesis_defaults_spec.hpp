@@ -13,7 +13,10 @@ namespace torquewright::gearbox {
 /// steel, no further minima. Other problems stay as they are.
 void assume_for_synthesis(nlohmann::json& problem);
 
-/// The few lines that a problem with `synthesis` needs, and all that is assumed beside them.
+/// The few lines that a problem with `synthesis` needs.
+nlohmann::ordered_json synthesis_in_few_lines();
+
+/// Those, and all that is assumed beside them.
 nlohmann::ordered_json synthesis_to_start_from();
 
 /// Reads a gearbox_problem, completed so. Throws io::SpecError.

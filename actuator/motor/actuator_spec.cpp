@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "actuator/effects/effect_spec.hpp"
+#include "actuator/motor/derived_values_spec.hpp"
 #include "actuator/motor/envelope_spec.hpp"
 #include "actuator/motor/gearbox_source_spec.hpp"
 #include "actuator/motor/statement_spec.hpp"
@@ -18,11 +19,6 @@ namespace torquewright::actuator {
 namespace {
 
 using nlohmann::json;
-
-CurrentConvention current_convention(const std::string& word) {
-  if (word == "peak_phase") return CurrentConvention::kPeakPhase;
-  return word == "rms_phase" ? CurrentConvention::kRmsPhase : CurrentConvention::kDc;
-}
 
 ResistanceConvention resistance_convention(const std::string& word) {
   if (word == "phase") return ResistanceConvention::kPhase;
@@ -111,6 +107,7 @@ class ActuatorReader {
   /// Once all is read: what was stated elsewhere comes to the motor.
   void carry() {
     carry_to_motor(actuator_);
+    if (faults_.empty()) take_torques_for_currents(document(), actuator_, faults_);
     const Drive& drive = actuator_.drive;
     if (drive.continuous_current_A > drive.peak_current_A) {
       report("/drive/continuous_current_A",
@@ -139,8 +136,7 @@ class ActuatorReader {
   void read_motor() {
     const json& keys = root()["motor"];
     Motor& motor = actuator_.motor;
-    motor.torque_constant_Nm_A = stated("motor", "torque_constant_Nm_A");
-    motor.torque_constant_convention = current_convention(keys["torque_constant_convention"]);
+    read_torque_constant(document(), actuator_, faults_);
     motor.back_emf_constant_V_s_rad = find_stated("motor", "back_emf_constant_V_s_rad");
     motor.resistance_ohm = stated("motor", "resistance_ohm");
     motor.resistance_convention = resistance_convention(keys["resistance_convention"]);
@@ -161,8 +157,9 @@ class ActuatorReader {
     const json& keys = root()["drive"];
     Drive& drive = actuator_.drive;
     drive.bus_voltage_V = keys["bus_voltage_V"];
-    drive.peak_current_A = stated("drive", "peak_current_A");
+    drive.peak_current_A = find_stated("drive", "peak_current_A").value_or(kUnlimited);
     drive.continuous_current_A = find_stated("drive", "continuous_current_A");
+    check_torques_for_currents(document(), faults_);
     if (keys.contains("modulation")) drive.modulation = modulation(keys["modulation"]);
     drive.field_weakening = keys.value("field_weakening", false);
     drive.regeneration = keys.value("regeneration", true);

@@ -52,6 +52,17 @@ void refuse_constants_of_joint(const io::Document& document, const fs::path& gea
   }
 }
 
+/// Nor does a torque at the joint say which current gave it, once another gearbox stands between.
+void refuse_torques_for_currents(const io::Document& document, const fs::path& gearbox) {
+  for (const char* key : {"peak_torque_Nm", "continuous_torque_Nm"}) {
+    if (!document.root.contains("drive") || !document.root["drive"].contains(key)) continue;
+    io::refuse(gearbox.string(),
+               fmt::format("not put behind the motor of {}, whose /drive/{} is stated at the joint "
+                           "of its own gearbox; state the current",
+                           document.file, key));
+  }
+}
+
 /// The drivetrain's own actuator behind another gearbox.
 actuator::ReadActuator behind(const ReadRobot& robot, const Drivetrain& drivetrain,
                               const fs::path& gearbox) {
@@ -60,6 +71,7 @@ actuator::ReadActuator behind(const ReadRobot& robot, const Drivetrain& drivetra
     if (document.root.value("kind", "") != "actuator") continue;
     if (fs::path(document.file).filename().string() != wanted) continue;
     refuse_constants_of_joint(document, gearbox);
+    refuse_torques_for_currents(document, gearbox);
     io::Document changed = document;
     changed.root["gearbox"] = {{"file", fs::absolute(gearbox).string()}};
     actuator::ReadActuator read = actuator::read_actuator(std::move(changed));

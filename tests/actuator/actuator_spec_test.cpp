@@ -5,7 +5,9 @@
 
 #include <filesystem>
 #include <fstream>
+#include <numbers>
 
+#include "actuator/motor/derived_values_spec.hpp"
 #include "actuator/region/left_out.hpp"
 #include "actuator/region/operating_conditions.hpp"
 #include "gearbox/problem_spec.hpp"
@@ -71,6 +73,70 @@ class ActuatorSpec : public ::testing::Test {
 
   test::ScratchFolder folder_;
 };
+
+/// The same drive as a sheet prints it that knows neither torque constant nor currents.
+json as_printed() {
+  json document = contract_example();
+  document["motor"].erase("torque_constant_Nm_A");
+  document["motor"].erase("torque_constant_convention");
+  document["motor"].erase("back_emf_constant_V_s_rad");
+  document["motor"]["velocity_constant_rpm_V"] = 30;
+  document["drive"].erase("peak_current_A");
+  document["drive"].erase("continuous_current_A");
+  document["drive"]["peak_torque_Nm"] = 288;
+  document["drive"]["continuous_torque_Nm"] = {{"value", 12000}, {"unit", "Ncm"}};
+  document["gearbox"]["forward_efficiency"] = 0.9;
+  return document;
+}
+
+// Oracle: closed forms. Kv = 30 rpm/V is pi rad/s per volt, so that Kt = 1 / pi; at the joint an
+// ampere is 20 * 0.9 / pi Nm, and 288 Nm are 16 pi amperes, 120 Nm 20 pi / 3.
+TEST_F(ActuatorSpec, TakesWhatASheetPrintsInThePlaceOfConstantAndCurrents) {
+  const ReadActuator read = read_actuator(written(as_printed()));
+  const Actuator& actuator = read.actuator;
+  constexpr double kRoundOff = 1e-14;
+  const double pi = std::numbers::pi;
+  EXPECT_NEAR(actuator.motor.torque_constant_Nm_A, 1.0 / pi, kRoundOff);
+  EXPECT_EQ(actuator.motor.torque_constant_convention, CurrentConvention::kDc);
+  EXPECT_NEAR(actuator.drive.peak_current_A / (16.0 * pi), 1.0, kRoundOff);
+  EXPECT_NEAR(*actuator.drive.continuous_current_A / (20.0 * pi / 3.0), 1.0, kRoundOff);
+  EXPECT_EQ(derived_values(read.documents.front(), actuator),
+            (std::vector<std::string>{
+                "torque constant 0.3183 Nm/A = 60 / (2 pi Kv), Kv = 30 rpm/V",
+                "peak current 50.27 A = T / (Kt N eta), T = 288 Nm at the joint; friction is not "
+                "counted",
+                "continuous current 20.94 A = T / (Kt N eta), T = 120 Nm at the joint; friction is "
+                "not counted"}));
+  const ReadActuator stated = read_actuator(written(contract_example()));
+  EXPECT_TRUE(derived_values(stated.documents.front(), stated.actuator).empty());
+}
+
+TEST_F(ActuatorSpec, RefusesConstantsAndCurrentsThatStandTwiceOrNowhere) {
+  json twice = contract_example();
+  twice["motor"]["velocity_constant_rpm_V"] = 30;
+  twice["drive"]["peak_torque_Nm"] = 288;
+  auto faults = faults_of(twice);
+  ASSERT_EQ(faults.size(), 2u);
+  EXPECT_EQ(faults[0].path, "/motor/velocity_constant_rpm_V");
+  EXPECT_EQ(faults[1].path, "/drive/peak_torque_Nm");
+  json nowhere = as_printed();
+  nowhere["motor"].erase("velocity_constant_rpm_V");
+  nowhere["drive"].erase("peak_torque_Nm");
+  faults = faults_of(nowhere);
+  ASSERT_EQ(faults.size(), 2u);
+  EXPECT_EQ(faults[0].message, "missing; or \"velocity_constant_rpm_V\", from which it follows");
+  EXPECT_EQ(faults[1].message, "missing; or \"peak_torque_Nm\", from which it follows");
+  json other = as_printed();
+  other["motor"]["torque_constant_convention"] = "rms_phase";
+  faults = faults_of(other);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].path, "/motor/torque_constant_convention");
+  json huge = as_printed();
+  huge["drive"]["peak_torque_Nm"] = 1e6;
+  faults = faults_of(huge);
+  ASSERT_EQ(faults.size(), 1u);
+  EXPECT_EQ(faults[0].path, "/drive/peak_torque_Nm");
+}
 
 TEST_F(ActuatorSpec, ReadsTheContractsExample) {
   const Actuator actuator = read_actuator(written(contract_example())).actuator;

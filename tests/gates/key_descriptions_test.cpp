@@ -150,6 +150,8 @@ const std::vector<LeftOut> kLeftOut = {
      "`also`"},
     {R"(actuator: /(envelope|sources).*)",
      "in the place of motor and drive: `init actuator --envelope`"},
+    {"actuator: /(motor/velocity_constant_rpm_V|drive/(peak|continuous)_torque_Nm)",
+     "in the place of the torque constant and of currents, where a sheet prints these alone"},
     {R"(actuator: /effects/\*/(provenance/.*|replaces|standard_error))",
      "written by identify; a word stands for the provenance"},
     {"actuator: /gearbox/(file|friction_coefficient)", "in place of the numbers that stand there"},

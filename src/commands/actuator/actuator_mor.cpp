@@ -11,6 +11,7 @@
 #include "actuator/mor/mor_table_spec.hpp"
 #include "actuator/mor/need.hpp"
 #include "actuator/motor/actuator_spec.hpp"
+#include "actuator/motor/derived_values_spec.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/files/atomic_file.hpp"
 #include "src/commands/actuator/actuator_commands.hpp"
@@ -168,7 +169,9 @@ MorAnswer compute(const MorRequest& request, const MorInputs& inputs) {
   }
   if (!wants_rows(request) && !inputs.picture) {
     const actuator::MorHeader header{&inputs.read.actuator, inputs.conditions, side_of(request)};
-    answer.rows = report::region_text(header, request.actuator_file);
+    answer.rows = report::region_text(
+        header, request.actuator_file,
+        actuator::derived_values(inputs.read.documents.front(), inputs.read.actuator));
   }
   if (inputs.picture) {
     answer.plot =

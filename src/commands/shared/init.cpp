@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "actuator/catalogue/drive_set.hpp"
@@ -18,6 +19,8 @@
 #include "io/files/atomic_file.hpp"
 #include "io/text/wording.hpp"
 #include "src/commands/shared/schema_commands.hpp"
+#include "src/commands/shared/sheet_json.hpp"
+#include "src/commands/shared/sheet_questions.hpp"
 #include "src/options/output_files.hpp"
 #include "src/report/identification/draft_text.hpp"
 #include "src/report/parts/key_table.hpp"
@@ -34,6 +37,8 @@ struct InitOptions {
   std::string from;  ///< An actuator of the catalogue; of a rig a log.
   bool is_envelope = false;
   bool is_synthesis = false;
+  bool from_sheet = false;
+  bool all_keys = false;
   bool explains = false;
 };
 
@@ -54,6 +59,7 @@ constexpr std::array<StartedKind, 11> kStartedKinds{{
     {"randomisation", "hopper replay ROBOT MOTION --trials 20 --randomise {}"},
     {"rig", "identify LOG --rig {} --actuator ACTUATOR"},
     {"robot", "init actuator -o actuator.json; then robot export {} --format mjcf"},
+    {"training_task", "hopper train ROBOT --task {}"},
     {"trajectory_columns", "actuator check TRAJECTORY --columns {} --joint NAME=ACTUATOR"},
 }};
 
@@ -101,9 +107,24 @@ Start rig_of_log(const std::string& log, const std::string& output_file) {
                       report::shell_word(log), report::shell_word(output_file))};
 }
 
+/// The document with what its keys mean, or what all of them do.
+Start explained(const InitOptions& options, std::string document, const std::string& next) {
+  std::string explanation = options.all_keys ? report::key_table_text(options.kind)
+                                             : report::key_table_text(options.kind, document);
+  return {std::move(document), std::move(explanation), next};
+}
+
+std::string synthesis_of(const InitOptions& options) {
+  return io::json_layout(options.all_keys ? gearbox::synthesis_to_start_from()
+                                          : gearbox::synthesis_in_few_lines());
+}
+
 /// Of the kind: the usual one, or the one that an option names.
 Start start_of(const InitOptions& options, const StartedKind& kind) {
   const bool is_rig = options.kind == "rig", is_actuator = options.kind == "actuator";
+  if (options.from_sheet && !is_actuator) {
+    io::refuse("--from-sheet", fmt::format("is of an actuator, not of a {}", options.kind));
+  }
   if (options.is_envelope && !is_actuator) {
     io::refuse("--envelope", fmt::format("is of an actuator, not of a {}", options.kind));
   }
@@ -119,11 +140,18 @@ Start start_of(const InitOptions& options, const StartedKind& kind) {
   }
   if (is_rig && !options.from.empty()) return rig_of_log(options.from, options.output_file);
   const std::string next = next_line(kind, options.output_file);
-  if (options.is_synthesis) {
-    return {io::json_layout(gearbox::synthesis_to_start_from()), "", next};
+  if (options.from_sheet) {
+    SheetDocument sheet = sheet_document(ask_sheet(sheet_objection));
+    return {std::move(sheet.text), std::move(sheet.explanation), next};
   }
-  if (!options.from.empty()) return {actuator::catalogue_text(options.from), "", next};
-  return {io::document_to_start_from(options.kind, options.is_envelope ? 1 : 0), "", next};
+  if (options.is_synthesis) {
+    return explained(options, synthesis_of(options), next);
+  }
+  if (!options.from.empty())
+    return explained(options, actuator::catalogue_text(options.from), next);
+  const auto keys = options.all_keys ? io::StartKeys::kAll : io::StartKeys::kUsual;
+  return explained(
+      options, io::document_to_start_from(options.kind, options.is_envelope ? 1 : 0, keys), next);
 }
 
 ExitCode run_init(const InitOptions& options) {
@@ -131,15 +159,12 @@ ExitCode run_init(const InitOptions& options) {
   refuse_existing(options.output_file);
   check_written(named({options.output_file}), {});
   const Start start = start_of(options, kind);
-  const bool is_drafted = !start.explanation.empty();
-  const std::string explanation =
-      is_drafted ? start.explanation : report::key_table_text(options.kind);
   const bool is_file = !options.output_file.empty() && !is_standard_output(options.output_file);
   if (is_file) {
     deliver_result(start.document, options.output_file);
-    print_result(for_window(explanation) + start.next);
+    print_result(for_window(start.explanation) + start.next);
   } else if (options.explains && options.output_file.empty()) {
-    print_result(for_window(explanation));
+    print_result(for_window(start.explanation));
   } else {
     print_result(start.document);
   }
@@ -150,8 +175,7 @@ ExitCode run_init(const InitOptions& options) {
 
 void add_init_command(command_line::Command& program) {
   auto options = std::make_shared<InitOptions>();
-  command_line::Command command =
-      program.add_command("init", "Print a document to start from, with every key");
+  command_line::Command command = program.add_command("init", "Print a document to start from");
   command.add_option("kind", options->kind, "Kind of document")
       .required()
       .one_of(io::document_kinds())
@@ -165,15 +189,28 @@ void add_init_command(command_line::Command& program) {
   command.add_flag("--envelope", options->is_envelope,
                    "An actuator that is known by its curve: two numbers, a corner or points");
   command.add_flag("--synthesis", options->is_synthesis,
-                   "A gearbox_problem whose shifts, modules and face widths are chosen too, with "
-                   "all that eight lines leave out");
+                   "A gearbox_problem whose shifts, modules and face widths are chosen too; "
+                   "--all-keys prints what its eight lines leave out");
   command
       .add_option("--from", options->from,
                   "An actuator of the catalogue, by its name in `actuator find`; for a rig the log "
                   "(CSV) whose columns it is to name")
       .otherwise("none")
       .excludes("--envelope");
-  command.add_flag("--explain", options->explains, "Print what its keys mean, and no document");
+  command
+      .add_flag("--all-keys", options->all_keys,
+                "Every key that can stand beside the others, not only those that one must state or "
+                "usually states")
+      .excludes("--from");
+  command
+      .add_flag("--from-sheet", options->from_sheet,
+                "An actuator of the ten numbers that sheets print: asks for each on a terminal, "
+                "else reads a line for each from standard input; an empty line: not known")
+      .excludes("--envelope")
+      .excludes("--from")
+      .excludes("--all-keys");
+  command.add_flag("--explain", options->explains, "Print what its keys mean, and no document")
+      .excludes("--from-sheet");
   command.example("torquewright init actuator");
   command.works([options] { return run_init(*options); });
 }

@@ -92,6 +92,13 @@ std::string conditions_text(const MorHeader& header) {
   return text + "\n";
 }
 
+/// What the document states otherwise, and the formulas by which it was found.
+std::string derived_text(const std::vector<std::string>& derived) {
+  std::string text;
+  for (const std::string& sentence : derived) text += line("from sheet", sentence);
+  return text;
+}
+
 std::string caveats(const MorHeader& header) {
   std::string text = line("losses", friction_sentence(header));
   for (const std::string& one : left_out(*header.actuator, Part::kRegion)) {
@@ -105,14 +112,16 @@ std::string caveats(const MorHeader& header) {
 
 }  // namespace
 
-std::string region_text(const MorHeader& header, const std::string& file) {
+std::string region_text(const MorHeader& header, const std::string& file,
+                        const std::vector<std::string>& derived) {
   const Region region(*header.actuator, header.conditions, header.side);
   const DrivingFigures forward = driving_figures(region);
   const std::string question = "torquewright actuator mor " + shell_word(file);
   return conditions_text(header) + figures_text(forward) +
          line("limited by", limiters(limited_stretches(region))) + backward_text(region, forward) +
-         end_text(region, forward) + continuous_text(header) + caveats(header) +
-         "next: " + question + " --table; --need TORQUE@SPEED; --plot region.svg\n";
+         end_text(region, forward) + continuous_text(header) + derived_text(derived) +
+         caveats(header) + "next: " + question +
+         " --table; --need TORQUE@SPEED; --plot region.svg\n";
 }
 
 }  // namespace torquewright::report

@@ -18,6 +18,18 @@ std::string conditions(const SchemaKey& key) {
   return text;
 }
 
+std::string title_line(std::string_view kind, const io::KindOfDocument& described) {
+  return fmt::format("{}: {}\n", kind, described.title);
+}
+
+std::string rows(const std::vector<SchemaKey>& keys) {
+  std::string text;
+  for (const SchemaKey& key : keys) {
+    text += fmt::format("\n{}  ({})\n    {}\n", key.pointer, conditions(key), key.meaning);
+  }
+  return text;
+}
+
 /// A cell of a table in Markdown: no bar ends it, no asterisk or underscore sets it in italics.
 std::string cell(const std::string& text) {
   std::string cell;
@@ -38,18 +50,25 @@ std::string start_of_page(std::string_view kind, const io::KindOfDocument& descr
 
 std::string key_table_text(std::string_view kind) {
   const io::KindOfDocument described = io::describe_kind(kind);
-  std::string text = fmt::format("{}: {}\n", kind, described.title);
-  for (const SchemaKey& key : described.keys) {
-    text += fmt::format("\n{}  ({})\n    {}\n", key.pointer, conditions(key), key.meaning);
-  }
-  return text;
+  return title_line(kind, described) + rows(described.keys);
+}
+
+std::string key_table_text(std::string_view kind, const std::string& document) {
+  const io::KindOfDocument described = io::describe_kind(kind);
+  const std::vector<SchemaKey> standing = io::keys_in(document, described.keys);
+  std::string text = title_line(kind, described) + rows(standing);
+  if (standing.size() == described.keys.size()) return text;
+  return text + fmt::format(
+                    "\n{} more keys may stand there, none of which it needs:\n"
+                    "torquewright init {} --all-keys --explain\n",
+                    described.keys.size() - standing.size(), kind);
 }
 
 std::string key_table_markdown(std::string_view kind) {
   const io::KindOfDocument described = io::describe_kind(kind);
   std::string page = start_of_page(kind, described);
   if (const std::string example = io::document_to_start_from(kind); !example.empty()) {
-    page += fmt::format("\n`torquewright init {}` prints a document to start from:\n\n", kind);
+    page += fmt::format("\n`torquewright init {} --all-keys` prints:\n\n", kind);
     page += "```json\n" + example + "```\n";
   }
   page +=

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "src/commands/shared/sheet_json.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "actuator/motor/convention.hpp"
+#include "io/documents/document.hpp"
+#include "io/documents/json_layout.hpp"
+#include "io/documents/schema.hpp"
+#include "io/documents/stated_units.hpp"
+#include "io/faults/refusal.hpp"
+#include "io/faults/spec_error.hpp"
+
+namespace torquewright::cli {
+namespace {
+
+using actuator::CurrentConvention;
+using nlohmann::ordered_json;
+
+constexpr const char* kOfPhase = "phase";
+constexpr const char* kOfTerminals = "line_to_line";
+
+/// "93 mohm phase" as its number, its unit and the word behind it.
+struct Typed {
+  double number = 0.0;
+  std::string unit;
+  std::string word;
+};
+
+std::string without_blanks_around(std::string text) {
+  text.erase(0, text.find_first_not_of(' '));
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text;
+}
+
+std::optional<Typed> taken_apart(const SheetQuestion& question, const std::string& answer) {
+  Typed typed;
+  const char* end = answer.data() + answer.size();
+  const auto [rest, error] = std::from_chars(answer.data(), end, typed.number);
+  if (error != std::errc() || !std::isfinite(typed.number)) return std::nullopt;
+  typed.unit = without_blanks_around(std::string(rest, end));
+  if (question.pointer == "/gearbox/ratio" && typed.unit == ":1") typed.unit.clear();
+  for (const char* word : {kOfPhase, kOfTerminals}) {
+    if (question.pointer != "/motor/resistance_ohm" || !typed.unit.ends_with(word)) continue;
+    typed.word = word;
+    typed.unit = without_blanks_around(typed.unit.substr(0, typed.unit.size() - typed.word.size()));
+  }
+  return typed;
+}
+
+ordered_json value_of(const Typed& typed) {
+  const bool is_whole = std::abs(typed.number) < 1e9 && typed.number == std::round(typed.number);
+  ordered_json number = typed.number;
+  if (is_whole) number = static_cast<std::int64_t>(typed.number);
+  if (typed.unit.empty()) return number;
+  return {{"value", number}, {"unit", typed.unit}};
+}
+
+/// A document whose shape is right, whatever stands beside the value that is looked at.
+ordered_json document_around(std::string_view pointer, const ordered_json& value) {
+  ordered_json document{{"kind", "actuator"},
+                        {"version", 1},
+                        {"motor", {{"resistance_ohm", 1}, {"resistance_convention", "dc"}}},
+                        {"drive", {{"bus_voltage_V", 48}}},
+                        {"gearbox", {{"ratio", 1}}},
+                        {"datasheet", ordered_json::object()}};
+  document[ordered_json::json_pointer(std::string(pointer))] = value;
+  return document;
+}
+
+/// 60 / (2 pi Kv), which is between two leads, over Kt: what the two constants say of the ampere.
+double back_emf_share(CurrentConvention convention) {
+  const double leads_per_winding = actuator::phase_volts_per_winding_volt(convention) /
+                                   actuator::phase_volts_per_winding_volt(CurrentConvention::kDc);
+  return actuator::back_emf_per_torque_constant(convention) * leads_per_winding;
+}
+
+/// Catalogues print typical constants, usually with 10 %; the conventions' shares lie 15 % apart
+/// and more, so that no share fits two of them within half of that.
+constexpr double kFits = 0.07;
+
+/// The answers of one sheet, made into a document.
+class Sheet {
+ public:
+  explicit Sheet(const SheetAnswers& answers) {
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+      if (answers[i].empty()) continue;
+      known_[std::string(kSheetQuestions[i].pointer)] =
+          *taken_apart(kSheetQuestions[i], answers[i]);
+    }
+  }
+
+  SheetDocument document() {
+    const bool has_constant =
+        has("/motor/torque_constant_Nm_A") || has("/motor/velocity_constant_rpm_V");
+    const bool has_peak = has("/drive/peak_current_A") || has("/drive/peak_torque_Nm");
+    const bool has_winding =
+        has_constant && has_peak && has("/drive/bus_voltage_V") && has("/motor/resistance_ohm");
+    const bool has_curve = has("/drive/peak_torque_Nm") && has("/datasheet/no_load_speed_rad_s");
+    if (!has_winding && !has_curve) refuse_few();
+    if (has_winding) {
+      add_motor();
+      add_drive();
+      add_gearbox();
+      add_datasheet();
+    } else {
+      add_envelope();
+    }
+    if (!assumed_.empty()) document_["assumed"] = assumed_;
+    return {io::json_layout(document_), explanation_};
+  }
+
+ private:
+  [[noreturn]] static void refuse_few() {
+    io::refuse("init --from-sheet",
+               "the answers are too few for a document: a winding needs the supply voltage, Kt or "
+               "Kv, the resistance, and peak current or torque; else a curve needs peak torque and "
+               "no-load speed. Nothing is written");
+  }
+
+  bool has(const char* pointer) const { return known_.contains(pointer); }
+  ordered_json value(const char* pointer) const { return value_of(known_.at(pointer)); }
+
+  void put(const char* block, const char* key, const char* pointer) {
+    if (has(pointer)) document_[block][key] = value(pointer);
+  }
+
+  void assume(const std::string& pointer, const std::string& why) {
+    assumed_.push_back(pointer);
+    explanation_ += fmt::format("{}: {}\n", pointer, why);
+  }
+
+  void add_motor() {
+    const bool is_by_kv = !has("/motor/torque_constant_Nm_A");
+    put("motor", "torque_constant_Nm_A", "/motor/torque_constant_Nm_A");
+    if (is_by_kv) {
+      put("motor", "velocity_constant_rpm_V", "/motor/velocity_constant_rpm_V");
+      explanation_ += "The torque constant is 60 / (2 pi Kv), of one equivalent winding.\n";
+    } else {
+      convention_ = concluded_convention();
+      document_["motor"]["torque_constant_convention"] = std::string(name_of(convention_));
+    }
+    put("motor", "resistance_ohm", "/motor/resistance_ohm");
+    const std::string word = known_.at("/motor/resistance_ohm").word;
+    document_["motor"]["resistance_convention"] = word.empty() ? kOfTerminals : word;
+    if (word.empty())
+      assume("/motor/resistance_convention", "as most sheets print it, between two leads");
+    put("motor", "rotor_inertia_kg_m2", "/motor/rotor_inertia_kg_m2");
+  }
+
+  /// By the two constants where both are printed, else by the ampere of a current.
+  CurrentConvention concluded_convention() {
+    const std::string pointer = "/motor/torque_constant_convention";
+    if (has("/motor/velocity_constant_rpm_V")) {
+      if (const auto convention = convention_of_constants()) return *convention;
+    }
+    for (const char* current : {"/drive/peak_current_A", "/drive/continuous_current_A"}) {
+      const std::string unit = has(current) ? known_.at(current).unit : "";
+      const bool is_rms = unit.ends_with("rms"), is_peak = unit.ends_with("peak");
+      if (!is_rms && !is_peak) continue;
+      assume(pointer, "the ampere of the sheet's currents; Kt may be of another");
+      return is_rms ? CurrentConvention::kRmsPhase : CurrentConvention::kPeakPhase;
+    }
+    assume(pointer, "of one equivalent winding, as hobby motors have it; the sheet does not say");
+    return CurrentConvention::kDc;
+  }
+
+  double in_SI(const char* pointer) const;
+
+  std::optional<CurrentConvention> convention_of_constants() {
+    const double constant_Nm_A = in_SI("/motor/torque_constant_Nm_A");
+    const double kv_rad_s_V = in_SI("/motor/velocity_constant_rpm_V") * std::numbers::pi / 30.0;
+    const double share = 1.0 / (kv_rad_s_V * constant_Nm_A);
+    for (const CurrentConvention each :
+         {CurrentConvention::kDc, CurrentConvention::kPeakPhase, CurrentConvention::kRmsPhase}) {
+      if (std::abs(share / back_emf_share(each) - 1.0) > kFits) continue;
+      assume("/motor/torque_constant_convention",
+             fmt::format("60 / (2 pi Kv Kt) is {:.3g}, and {:.3g} where Kt is of this ampere",
+                         share, back_emf_share(each)));
+      return each;
+    }
+    return std::nullopt;
+  }
+
+  void add_drive() {
+    document_["drive"]["bus_voltage_V"] = value("/drive/bus_voltage_V");
+    if (has("/drive/peak_current_A")) {
+      put("drive", "peak_current_A", "/drive/peak_current_A");
+    } else {
+      put("drive", "peak_torque_Nm", "/drive/peak_torque_Nm");
+      explanation_ += "The peak current is the one that gives the peak torque: T / (Kt N eta).\n";
+    }
+    put("drive", "continuous_current_A", "/drive/continuous_current_A");
+    if (convention_ == CurrentConvention::kDc) return;
+    document_["drive"]["modulation"] = "svpwm";
+    assume("/drive/modulation", "as most drives work");
+  }
+
+  void add_gearbox() {
+    document_["gearbox"] = {
+        {"ratio", has("/gearbox/ratio") ? value("/gearbox/ratio") : ordered_json(1)},
+        {"forward_efficiency", 1},
+        {"backward_efficiency", 1}};
+    if (!has("/gearbox/ratio")) return;
+    assume("/gearbox/forward_efficiency", "no losses: sheets do not print them");
+    assume("/gearbox/backward_efficiency", "the same");
+  }
+
+  void add_datasheet() {
+    ordered_json sheet;
+    sheet["side"] = "joint";
+    const bool is_for_lint = has("/drive/peak_current_A") && has("/drive/peak_torque_Nm");
+    if (is_for_lint) sheet["peak_torque_Nm"] = value("/drive/peak_torque_Nm");
+    if (has("/datasheet/no_load_speed_rad_s")) {
+      sheet["no_load_speed_rad_s"] = value("/datasheet/no_load_speed_rad_s");
+    }
+    if (has("/motor/torque_constant_Nm_A") && has("/motor/velocity_constant_rpm_V")) {
+      const ordered_json kv = value("/motor/velocity_constant_rpm_V");
+      ordered_json& stated = sheet["velocity_constant_rpm_V"];
+      if (kv.is_number()) stated["value"] = kv;
+      if (kv.is_object()) stated = kv;
+      stated["side"] = "motor";
+    }
+    if (sheet.size() > 1) document_["datasheet"] = sheet;
+  }
+
+  void add_envelope() {
+    explanation_ +=
+        "The winding is not known, so the document is a curve: torque falls straight "
+        "from rest to the no-load speed.\n";
+    document_["envelope"] = {{"side", "joint"},
+                             {"peak_torque_Nm", value("/drive/peak_torque_Nm")},
+                             {"no_load_speed_rad_s", value("/datasheet/no_load_speed_rad_s")}};
+    put("envelope", "voltage_V", "/drive/bus_voltage_V");
+    if (has("/gearbox/ratio")) document_["gearbox"]["ratio"] = value("/gearbox/ratio");
+    name_unused();
+  }
+
+  void name_unused() {
+    std::string names;
+    for (const SheetQuestion& question : kSheetQuestions) {
+      const bool is_of_winding =
+          question.pointer.starts_with("/motor/") || question.pointer.ends_with("_current_A");
+      if (!is_of_winding || !known_.contains(question.pointer)) continue;
+      names += (names.empty() ? "" : ", ") + std::string(question.name);
+    }
+    if (!names.empty()) explanation_ += fmt::format("Not used: {}.\n", names);
+  }
+
+  std::map<std::string, Typed, std::less<>> known_;
+  CurrentConvention convention_ = CurrentConvention::kDc;
+  ordered_json document_{{"kind", "actuator"}, {"version", 1}};
+  ordered_json assumed_ = ordered_json::array();
+  std::string explanation_;
+};
+
+/// As the document is read.
+io::Document checked(std::string_view pointer, const Typed& typed) {
+  const ordered_json document = document_around(pointer, value_of(typed));
+  auto root = nlohmann::json::parse(document.dump());
+  std::vector<io::Fault> faults;
+  io::take_stated_units(root, io::schema_of("actuator"), "answer", faults);
+  if (!faults.empty()) throw io::SpecError(std::move(faults));
+  return io::check_document(std::move(root), "actuator", "answer", "");
+}
+
+double Sheet::in_SI(const char* pointer) const {
+  const io::Document document = checked(pointer, known_.at(pointer));
+  const nlohmann::json& value = document.root[nlohmann::json::json_pointer(pointer)];
+  return value.is_object() ? value["value"].get<double>() : value.get<double>();
+}
+
+}  // namespace
+
+std::optional<std::string> sheet_objection(const SheetQuestion& question,
+                                           const std::string& answer) {
+  const std::optional<Typed> number = taken_apart(question, answer);
+  if (!number) {
+    return fmt::format("\"{}\" does not begin with a number, as {} does", answer, question.example);
+  }
+  try {
+    checked(question.pointer, *number);
+  } catch (const io::SpecError& error) {
+    return fmt::format("\"{}\": {}", answer, error.faults().front().message);
+  }
+  return std::nullopt;
+}
+
+SheetDocument sheet_document(const SheetAnswers& answers) { return Sheet(answers).document(); }
+
+}  // namespace torquewright::cli

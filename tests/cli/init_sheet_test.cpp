@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+// `init actuator --from-sheet` with lines in the place of a terminal. Oracles: closed forms of the
+// region that `actuator mor` computes from the document, and the shell that pipes the lines.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "tests/cli/workplace.hpp"
+
+namespace torquewright::cli_test {
+namespace {
+
+using nlohmann::json;
+
+/// The program, fed with lines in a folder of its own.
+struct Desk : Workplace {
+  Outcome answer(const std::string& lines) const {
+    write("lines.txt", lines);
+    const std::string command =
+        "cd '" + path().string() +
+        "' && '" TORQUEWRIGHT_PROGRAM
+        "' init actuator --from-sheet -o a.json < lines.txt > out.txt 2> err.txt";
+    Outcome outcome;
+    const int status = std::system(command.c_str());
+    if (WIFEXITED(status)) outcome.exit_code = WEXITSTATUS(status);
+    outcome.out = text("out.txt");
+    outcome.err = text("err.txt");
+    return outcome;
+  }
+
+  json document() const { return json::parse(text("a.json")); }
+
+  json row_at(const std::string& speed_rad_s) const {
+    const Outcome outcome = run({"actuator", "mor", "a.json", "--at-speed", speed_rad_s, "--json"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out)["rows"].front();
+  }
+};
+
+constexpr double kRoundOff = 1e-9;  // of the twelve digits that tables print
+
+// Kv and peak torque alone. At rest there is the torque that was typed; nothing is left where
+// V = Ke w, at 48 V times 100 rpm/V over 9, and just below there still is.
+TEST(InitFromSheet, TakesASheetWithKvAndPeakTorqueAlone) {
+  const Desk desk;
+  const Outcome outcome =
+      desk.answer("48 V\n9:1\n30 Nm\n530 rpm\n\n100 rpm/V\n170 mohm\n\n22 A_rms\n607 g cm^2\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  const json document = desk.document();
+  EXPECT_EQ(document["motor"]["velocity_constant_rpm_V"],
+            (json{{"value", 100}, {"unit", "rpm/V"}}));
+  EXPECT_EQ(document["motor"]["resistance_convention"], "line_to_line");
+  EXPECT_NEAR(desk.row_at("0")["torque_max_Nm"].get<double>(), 30.0, 30.0 * kRoundOff);
+  const double no_load_rad_s = 48.0 * 100.0 / 9.0 * std::numbers::pi / 30.0;
+  const auto driving_at = [&](double share) {
+    return desk.row_at(std::to_string(share * no_load_rad_s))["torque_max_Nm"].get<double>();
+  };
+  EXPECT_GT(driving_at(0.999), 0.0);
+  EXPECT_LE(driving_at(1.001), 0.0);
+  EXPECT_NE(outcome.out.find("60 / (2 pi Kv)"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("next: torquewright actuator mor a.json"), std::string::npos);
+  EXPECT_NE(desk.run({"actuator", "mor", "a.json"}).out.find("T / (Kt N eta)"), std::string::npos);
+}
+
+// Both constants name the ampere: 60 / (2 pi Kv Kt) is 1 of the dc winding, 2 / sqrt(3) of the
+// amplitude, sqrt(2 / 3) of the rms (docs/derivations/conventions.md).
+TEST(InitFromSheet, TellsTheAmpereFromBothConstants) {
+  const double winding_Nm_A = 30.0 / (std::numbers::pi * 100.0);
+  const std::pair<double, const char*> cases[] = {{1.0, "dc"},
+                                                  {std::sqrt(3.0) / 2.0, "peak_phase"},
+                                                  {std::sqrt(3.0 / 2.0), "rms_phase"},
+                                                  {1.06 * std::sqrt(3.0 / 2.0), "rms_phase"}};
+  for (const auto& [factor, convention] : cases) {
+    const Desk desk;
+    const Outcome outcome =
+        desk.answer("48 V\n9\n\n\n" + std::to_string(1e3 * factor * winding_Nm_A) +
+                    " mNm_A\n100\n0.085 ohm phase\n30 A\n\n\n");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json document = desk.document();
+    EXPECT_EQ(document["motor"]["torque_constant_convention"], convention) << factor;
+    EXPECT_EQ(document["motor"]["resistance_convention"], "phase");
+    EXPECT_EQ(document["drive"].contains("modulation"), std::string(convention) != "dc");
+    EXPECT_EQ(desk.run({"actuator", "lint", "a.json"}).exit_code, 0);
+  }
+}
+
+TEST(InitFromSheet, WritesTheCurveWhereTheWindingIsNotKnown) {
+  const Desk desk;
+  const Outcome outcome = desk.answer("48 V\n\n30 Nm\n10 rad/s\n\n\n\n30 A_rms\n\n\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(desk.document().contains("envelope"));
+  EXPECT_NE(outcome.out.find("Not used: Peak current.\n"), std::string::npos) << outcome.out;
+  EXPECT_NEAR(desk.row_at("5")["torque_max_Nm"].get<double>(), 15.0, 15.0 * kRoundOff);
+}
+
+// Nothing is written where an answer is no number, of another unit, too few or too many.
+TEST(InitFromSheet, RefusesWhatIsNoSheet) {
+  struct Case {
+    std::string lines, said;
+  };
+  const Case cases[] = {
+      {"48 V\n9\n\n\n\n100\nsome\n\n\n\n",
+       "standard input, line 7 (Resistance): \"some\" does not begin with"},
+      {"48 V\n9\n\n\n\n100\n93 mohmm\n30 A\n\n\n",
+       "(Resistance): \"93 mohmm\": \"mohmm\" is none of ohm, mohm"},
+      {"-48 V\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n",
+       "standard input, line 1 (Supply voltage): \"-48 V\": "},
+      {"48 V\n9\n", "standard input: ends before answer 3 of 10 (Peak torque)"},
+      {"", "standard input: ends before answer 1 of 10"},
+      {"48 V\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n7\n",
+       "standard input: goes on after 10 answers with \"7\""},
+      {"\n\n\n\n\n\n\n\n\n\n", "init --from-sheet: the answers are too few"},
+      {"48 V\n9\n30 Nm\n\n\n100\n\n\n\n\n", "init --from-sheet: the answers are too few"}};
+  for (const Case& each : cases) {
+    const Desk desk;
+    const Outcome outcome = desk.answer(each.lines);
+    EXPECT_EQ(outcome.exit_code, 2) << each.lines << outcome.out;
+    EXPECT_NE(outcome.err.find(each.said), std::string::npos) << each.said << "\n" << outcome.err;
+    EXPECT_FALSE(desk.has("a.json")) << each.lines;
+  }
+  const Workplace place;
+  EXPECT_EQ(place.run({"init", "rig", "--from-sheet"}).exit_code, 2);
+}
+
+}  // namespace
+}  // namespace torquewright::cli_test
