@@ -68,10 +68,13 @@ void add_policy_commands(Command& program) {
 
 void add_robot_commands(Command& program) {
   Command robot =
-      add_group(program, "robot", "Read robots of other programs, and write robots for them",
+      add_group(program, "robot", "Any robot: can it do a motion, and in which program's files?",
                 "robot export specs/robot/rabbit.json --format urdf");
+  add_hopper_check_command(robot);
+  add_replay_command(robot);
   add_attach_command(robot);
   add_import_command(robot);
+  add_patch_command(robot);
   add_export_command(robot);
   add_workspace_command(robot);
 }

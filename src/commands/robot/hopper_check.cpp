@@ -94,13 +94,13 @@ ExitCode run_hopper_check(const HopperCheckRequest& request) {
 
 }  // namespace
 
-void add_hopper_check_command(command_line::Command& hopper) {
+void add_hopper_check_command(command_line::Command& group) {
   auto request = std::make_shared<HopperCheckRequest>();
-  command_line::Command command = hopper.add_command("check", "Can this robot do this motion?");
+  command_line::Command command = group.add_command("check", "Can this robot do this motion?");
   add_hopper_check_options(command, *request);
   command.example(
-      "torquewright hopper check specs/robot/hopper.json "
-      "specs/trajectory/hopper_flip.csv");
+      fmt::format("torquewright {} check specs/robot/hopper.json specs/trajectory/hopper_flip.csv",
+                  group.declared().name));
   command.works([request] { return run_hopper_check(*request); });
 }
 

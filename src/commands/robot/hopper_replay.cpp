@@ -318,14 +318,14 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
 
 }  // namespace
 
-void add_replay_command(command_line::Command& hopper) {
+void add_replay_command(command_line::Command& group) {
   auto request = std::make_shared<HopperReplayRequest>();
   command_line::Command command =
-      hopper.add_command("replay", "Does the robot do the motion, simulated and controlled?");
+      group.add_command("replay", "Does the robot do the motion, simulated and controlled?");
   add_hopper_replay_options(command, *request);
-  command.example(
-      "torquewright hopper replay specs/robot/hopper.json "
-      "specs/trajectory/hopper_squat.csv");
+  command.example(fmt::format(
+      "torquewright {} replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv",
+      group.declared().name));
   command.works([request] { return run_hopper_replay(*request); });
 }
 

@@ -8,6 +8,7 @@ namespace torquewright::cli {
 /// Each adds one command to `robot`.
 void add_attach_command(command_line::Command& robot);
 void add_import_command(command_line::Command& robot);
+void add_patch_command(command_line::Command& robot);
 void add_export_command(command_line::Command& robot);
 void add_workspace_command(command_line::Command& robot);
 

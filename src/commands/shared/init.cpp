@@ -48,7 +48,7 @@ struct StartedKind {
   std::string_view next;  ///< {} is the document.
 };
 
-constexpr std::array<StartedKind, 11> kStartedKinds{{
+constexpr auto kStartedKinds = std::to_array<StartedKind>({
     {"actuator", "actuator mor {}"},
     {"controller", "hopper replay ROBOT MOTION --controller osc --tasks {}"},
     {"gear_strength", "gearbox strength {} --torque 20 --side joint"},
@@ -61,7 +61,7 @@ constexpr std::array<StartedKind, 11> kStartedKinds{{
     {"robot", "init actuator -o actuator.json; then robot export {} --format mjcf"},
     {"training_task", "hopper train ROBOT --task {}"},
     {"trajectory_columns", "actuator check TRAJECTORY --columns {} --joint NAME=ACTUATOR"},
-}};
+});
 
 std::vector<std::string> started_kinds() {
   std::vector<std::string> kinds;

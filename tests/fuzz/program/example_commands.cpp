@@ -111,6 +111,9 @@ robot import tests/fuzz/corpus/looped.xml -o looped.json --actuator knee=specs/a
 robot import tests/fuzz/corpus/looped.xml -o looped.json --actuators drives --feet heel_left --feet toe_*=0:0.1,-0.02:0.02,0
 robot workspace specs/robot/hopper.json --joint ankle_roll --plot ankle.svg
 robot export specs/robot/hopper.json --format mjcf --actuators --ground --collisions --closed-loops -o hopper.xml
+robot check specs/robot/hopper.json tests/fuzz/corpus/hopper_leap.csv
+robot replay specs/robot/hopper.json specs/trajectory/hopper_squat.csv --step 0.0005 --stand 0.1 --until 0.2
+robot patch specs/robot/rabbit.urdf *_knee=specs/actuator/d151_knee.json -o patched.urdf
 robot attach specs/robot/planar_leg.json knee=specs/actuator/d151_knee.json -o leg.json
 robot export specs/robot/cassie.json --format urdf
 robot export specs/robot/rabbit.json --format urdf -o rabbit.urdf
