@@ -6,6 +6,7 @@
 #include "io/documents/provenance.hpp"
 #include "src/command_line/command_line.hpp"
 #include "src/commands/actuator/actuator_commands.hpp"
+#include "src/commands/design/design_commands.hpp"
 #include "src/commands/gearbox/gearbox_commands.hpp"
 #include "src/commands/identification/identify_commands.hpp"
 #include "src/commands/policy/policy_commands.hpp"

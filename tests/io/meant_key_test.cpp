@@ -76,9 +76,9 @@ TEST(WrongKey, LeadsToTheRightOne) {
 
 TEST(WrongKey, LeadsToAnotherPlace) {
   json actuator = started("actuator");
-  actuator["motor"]["kv"] = 30;
+  actuator["motor"]["no_load_current"] = 1;
   EXPECT_EQ(refusal(actuator),
-            "f#/motor/kv: unknown key; it is /datasheet/velocity_constant_rpm_V");
+            "f#/motor/no_load_current: unknown key; it is /datasheet/no_load_current_A");
 }
 
 TEST(WrongKey, LeadsToAKeyThatIsThereOnlyWhereNoOtherFits) {

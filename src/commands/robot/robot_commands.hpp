@@ -12,7 +12,4 @@ void add_patch_command(command_line::Command& robot);
 void add_export_command(command_line::Command& robot);
 void add_workspace_command(command_line::Command& robot);
 
-/// Adds `design` to the program.
-void add_design_command(command_line::Command& program);
-
 }  // namespace torquewright::cli

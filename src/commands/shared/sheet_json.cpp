@@ -264,14 +264,17 @@ class Sheet {
   std::string explanation_;
 };
 
+/// In the place of a file's name.
+constexpr const char* kAnswer = "answer";
+
 /// As the document is read.
 io::Document checked(std::string_view pointer, const Typed& typed) {
   const ordered_json document = document_around(pointer, value_of(typed));
   auto root = nlohmann::json::parse(document.dump());
   std::vector<io::Fault> faults;
-  io::take_stated_units(root, io::schema_of("actuator"), "answer", faults);
+  io::take_stated_units(root, io::schema_of("actuator"), kAnswer, faults);
   if (!faults.empty()) throw io::SpecError(std::move(faults));
-  return io::check_document(std::move(root), "actuator", "answer", "");
+  return io::check_document(std::move(root), "actuator", kAnswer, "");
 }
 
 double Sheet::in_SI(const char* pointer) const {

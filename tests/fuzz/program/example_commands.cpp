@@ -130,9 +130,8 @@ robot export specs/robot/hopper.json --format playground --actuators --randomise
 init actuator -o new.json
 init robot --all-keys -o all.json
 init actuator --envelope -o curve.json
-init gearbox_problem --synthesis -o sized.json
+init gearbox_problem --synthesis --all-keys -o sized.json
 init actuator --from cubemars_ak80_9
-init actuator --from-sheet -o sheet.json
 init rig --from specs/log/bench.csv -o new_rig.json
 init robot --explain
 schema gearbox_problem
