@@ -76,9 +76,8 @@ TEST(WrongKey, LeadsToTheRightOne) {
 
 TEST(WrongKey, LeadsToAnotherPlace) {
   json actuator = started("actuator");
-  actuator["motor"]["no_load_current"] = 1;
-  EXPECT_EQ(refusal(actuator),
-            "f#/motor/no_load_current: unknown key; it is /datasheet/no_load_current_A");
+  actuator["motor"]["gear_ratio"] = 9;
+  EXPECT_EQ(refusal(actuator), "f#/motor/gear_ratio: unknown key; it is /gearbox/ratio");
 }
 
 TEST(WrongKey, LeadsToAKeyThatIsThereOnlyWhereNoOtherFits) {
