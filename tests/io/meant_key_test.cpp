@@ -76,8 +76,8 @@ TEST(WrongKey, LeadsToTheRightOne) {
 
 TEST(WrongKey, LeadsToAnotherPlace) {
   json actuator = started("actuator");
-  actuator["motor"]["gear_ratio"] = 9;
-  EXPECT_EQ(refusal(actuator), "f#/motor/gear_ratio: unknown key; it is /gearbox/ratio");
+  actuator["drive"]["poles"] = 14;
+  EXPECT_EQ(refusal(actuator), "f#/drive/poles: unknown key; it is /motor/pole_pairs");
 }
 
 TEST(WrongKey, LeadsToAKeyThatIsThereOnlyWhereNoOtherFits) {
