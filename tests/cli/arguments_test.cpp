@@ -40,7 +40,8 @@ std::vector<BadArguments> bad_arguments() {
       {{"actuator", "mor", "a.json", "--a-speed=3"},
        "command line: unknown option --a-speed of actuator mor; did you mean --at-speed?"},
       {{"hopper", "check", "a.json", "b.csv", "--trials", "3"},
-       "command line: unknown option --trials of hopper check; it is one of hopper replay"},
+       "command line: unknown option --trials of hopper check; it is one of hopper flip, hopper "
+       "replay or robot replay"},
       {{"actuator", "mor", "a.json", "--side", "jont"},
        "command line: --side: \"jont\" is none of joint, motor; did you mean joint?"},
       {{"actuator", "mor", "a.json", "--for", "mjlab", "--format=mujoco"},

@@ -342,6 +342,7 @@ TEST(Init, WritesOverNothingAndStartsNoReport) {
   EXPECT_EQ(report.exit_code, 2);
   EXPECT_EQ(report.err,
             "init: a lint_report is written by the program; documents to start from are actuator, "
+            "controller, "
             "gear_strength, gearbox, gearbox_problem, jacobian, policy, randomisation, rig, robot, "
             "training_task, trajectory_columns\n");
 }

@@ -80,12 +80,14 @@ TEST(RobotPatch, WritesNothingUnlessToldWhere) {
   EXPECT_EQ(desk.run({"robot", "patch", "leg.xml", "knee=drive.json", "-o", "leg.xml"}).exit_code,
             2);
   EXPECT_EQ(desk.files(), before);
-  EXPECT_EQ(desk.run({"robot", "patch", "leg.xml", "knee=drive.json", "--in-place"}).exit_code, 0);
-  const std::string once = desk.text("leg.xml");
+  EXPECT_EQ(desk.run({"robot", "patch", "leg.xml", "knee=drive.json", "-o", "once.xml"}).exit_code,
+            0);
+  const std::string once = desk.text("once.xml");
   EXPECT_NE(once, kMjcf);
   // What is there already is not written again.
-  EXPECT_EQ(desk.run({"robot", "patch", "leg.xml", "knee=drive.json", "--in-place"}).exit_code, 0);
-  EXPECT_EQ(desk.text("leg.xml"), once);
+  EXPECT_EQ(
+      desk.run({"robot", "patch", "once.xml", "knee=drive.json", "-o", "twice.xml"}).exit_code, 0);
+  EXPECT_EQ(desk.text("twice.xml"), once);
 }
 
 const char* const kUrdf = R"(<?xml version="1.0"?>
@@ -169,7 +171,7 @@ TEST(RobotPatch, RefusesWhatWouldChangeMore) {
     const PatchDesk desk;
     desk.write("leg.xml", each.from.empty() ? std::string(kMjcf) : with(kMjcf, each.from, each.to));
     const auto before = desk.files();
-    const Outcome outcome = desk.run({"robot", "patch", "leg.xml", each.drive, "--in-place"});
+    const Outcome outcome = desk.run({"robot", "patch", "leg.xml", each.drive, "-o", "new.xml"});
     EXPECT_EQ(outcome.exit_code, 2) << each.to << outcome.out;
     EXPECT_NE(outcome.err.find(each.said), std::string::npos) << each.said << "\n" << outcome.err;
     EXPECT_EQ(desk.files(), before);

@@ -275,7 +275,7 @@ void add_design_command(command_line::Command& program) {
   add_contact_options(command, request->check.check.contact);
   add_operating_options(command, request->check.operating);
   command.example(
-      "torquewright design specs/robot/hopper.json specs/trajectory/hopper_flip.csv --drive knee "
+      "torquewright design specs/robot/hopper.json specs/trajectory/hopper_squat.csv --drive knee "
       "--gearbox specs/gearbox/d151_knee.json");
   command.works([request] { return run_design(*request); });
 }

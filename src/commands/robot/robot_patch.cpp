@@ -14,7 +14,6 @@
 #include "robot/xml/element.hpp"
 #include "src/commands/robot/robot_commands.hpp"
 #include "src/options/output_files.hpp"
-#include "src/report/parts/shell_word.hpp"
 #include "src/standard_output.hpp"
 #include "src/window_text.hpp"
 
@@ -25,7 +24,6 @@ struct PatchOptions {
   std::string robot_file;
   std::vector<std::string> drives;  ///< PATTERN=FILE.
   std::string output_file;
-  bool in_place = false;
 };
 
 hopper::PatchedDrive drive_of(const std::string& text) {
@@ -53,9 +51,8 @@ std::string numbers_line(const hopper::PatchedDrive& drive) {
 }
 
 std::string next_line(const PatchOptions& options) {
-  if (options.in_place || !options.output_file.empty()) return "";
-  return fmt::format("next: the same with -o FILE, or --in-place to write into {}\n",
-                     report::shell_word(options.robot_file));
+  if (!options.output_file.empty()) return "";
+  return "next: the same with -o FILE, which writes it\n";
 }
 
 ExitCode run_patch(const PatchOptions& options) {
@@ -65,18 +62,13 @@ ExitCode run_patch(const PatchOptions& options) {
   std::vector<hopper::PatchedDrive> drives;
   for (const std::string& text : options.drives) drives.push_back(drive_of(text));
   const hopper::PatchedFile patched = hopper::patched_file(options.robot_file, before, drives);
-  const std::string target = options.in_place ? options.robot_file : options.output_file;
-  if (options.in_place) {
-    check_written({target}, {});
-  } else {
-    check_written(named({target}), {options.robot_file});
-  }
+  check_written(named({options.output_file}), {options.robot_file});
   std::string text = fmt::format("{}: {} joints\n", options.robot_file, patched.joints.size());
   for (const hopper::PatchedDrive& each : drives) text += numbers_line(each);
   text += hopper::line_difference(before, patched.text);
   for (const std::string& note : patched.notes) text += "note: " + note + "\n";
   std::vector<io::FileContent> files;
-  if (!target.empty()) files.push_back({target, patched.text});
+  if (!options.output_file.empty()) files.push_back({options.output_file, patched.text});
   deliver(std::move(files), for_window(text + next_line(options)));
   return ExitCode::kPasses;
 }
@@ -100,11 +92,9 @@ void add_patch_command(command_line::Command& robot) {
                   "Write the patched file to this file; what changes is printed")
       .otherwise("nothing is written")
       .names_a_file();
-  command.add_flag("--in-place", options->in_place, "Write into the robot's file itself")
-      .excludes("--output");
   command.example(
       "torquewright robot patch specs/robot/rabbit.urdf "
-      "'*_knee=specs/actuator/d151_knee.json'");
+      "left_knee=specs/actuator/d151_knee.json");
   command.works([options] { return run_patch(*options); });
 }
 
