@@ -37,8 +37,12 @@ ordered_json named_part(const ordered_json& value, const std::vector<Steps>& nam
   ordered_json part = value.is_array() ? ordered_json::array() : ordered_json::object();
   for (const auto& [key, child] : value.items()) {
     ordered_json kept = named_part(child, below(named, key));
-    if (value.is_array() && !kept.is_null()) part.push_back(std::move(kept));
-    if (value.is_object() && !kept.is_null()) part[key] = std::move(kept);
+    if (kept.is_null()) continue;
+    if (value.is_array()) {
+      part.push_back(std::move(kept));
+    } else {
+      part[key] = std::move(kept);
+    }
   }
   return part.empty() ? ordered_json() : part;
 }
