@@ -98,6 +98,11 @@ TEST_F(Osc, StaysInTheDrivesBounds) {
   ASSERT_EQ(solve(wanted.position, VectorXd::Zero(9), bounds),
             optimization::QuadraticStatus::kSolved);
   EXPECT_GE(program.torque_Nm()[1], 5.0 - 1e-9);
+  bounds.least_Nm[1] = -300.0;
+  bounds.greatest_Nm[1] = -5.0;
+  ASSERT_EQ(solve(wanted.position, VectorXd::Zero(9), bounds),
+            optimization::QuadraticStatus::kSolved);
+  EXPECT_LE(program.torque_Nm()[1], -5.0 + 1e-9);
 }
 
 /// In its own engine, without motors.
