@@ -4,7 +4,9 @@
 the three modes, on random problems of all objectives.
 
     bench/relaxation_modes.py TORQUEWRIGHT SEED COUNT
+    bench/relaxation_modes.py TORQUEWRIGHT bores
 
+"bores" prints the table of bench/README.md: 20:1 in ever wider bores, minima 12/12/12.
 Every mode of a problem runs in turn in one sitting, three times; the least time counts. A mode that
 the program refuses is left out."""
 import json
@@ -58,7 +60,36 @@ def solve(program, file, mode):
     return best
 
 
+def in_bore(bore_in_modules, tolerance):
+    module_mm = 0.6
+    return {
+        "kind": "gearbox_problem", "version": 1, "topology": "3k", "target_ratio": 20,
+        "ratio_tolerance": tolerance,
+        "rotor_inner_diameter_mm": round(bore_in_modules * module_mm, 1), "module_mm": module_mm,
+        "planet_count": 4, "min_teeth": {"sun": 12, "planet_1": 12, "planet_2": 12},
+        "min_carrier_clearance_rad": 0, "constraints": "paper", "objective": "paper_cost",
+    }
+
+
+def print_bores(program):
+    print("| D/M, ratio | `always`: boxes, solves, s | `auto` | `never` |")
+    print("|---|---|---|---|")
+    with tempfile.TemporaryDirectory() as folder:
+        file = os.path.join(folder, "problem.json")
+        for bore in (132.33, 300, 1000, 3000):
+            for words, tolerance in (("exact", 0), ("1 %", 0.01)):
+                with open(file, "w", encoding="utf-8") as stream:
+                    json.dump(in_bore(bore, tolerance), stream)
+                found = [solve(program, file, mode) for mode in ("always", "auto", "never")]
+                cells = " | ".join(f"{boxes}, {solves}, {seconds:.2g}"
+                                   for seconds, boxes, solves, _ in found)
+                print(f"| {bore:g}, {words} | {cells} |", flush=True)
+
+
 def main():
+    if sys.argv[2:] == ["bores"]:
+        print_bores(sys.argv[1])
+        return
     program, seed, count = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
     dice = random.Random(seed)
     sums, least = {}, {}
