@@ -210,8 +210,10 @@ void add_output_options(command_line::Command& command, HopperReplayRequest& req
                   "Write a page with both motions under a time cursor to this HTML")
       .names_a_file();
   command
-      .add_option("--series", request.series_file,
-                  "Write the run by time, a motion that `hopper check` reads, to this CSV")
+      .add_option(
+          "--series", request.series_file,
+          "Write the run (with --trial that trial) by time, a motion that `hopper check` reads, to "
+          "this CSV")
       .names_a_file();
   command.add_option("-o,--output", request.output_file, "Write the report as JSON to this file")
       .names_a_file();

@@ -305,6 +305,14 @@ TEST_F(HopperReplay, ARateThatIsMissedFails) {
   Words lenient = options;
   lenient.insert(lenient.end(), {"--success-rate", "0"});
   EXPECT_EQ(run(lenient).exit_code, 0);
+  // Oracle: the time at which the trial's own row says that it ended.
+  Words alone = options;
+  alone.insert(alone.end(), {"--trial", "1", "--series", "deep.csv", "--json"});
+  const json second = json::parse(run(alone).out);
+  const std::string rows = place_.text("deep.csv");
+  const std::string last = rows.substr(rows.rfind('\n', rows.size() - 2) + 1);
+  EXPECT_NEAR(std::stod(last), second["trials"]["list"][0]["end_s"].get<double>(), 1e-3);
+  EXPECT_GT(second["end"]["time_s"].get<double>(), std::stod(last) + 0.1);  // As documented.
 }
 
 TEST_F(HopperReplay, CtrlCInTrialsLeavesWhatIsDone) {

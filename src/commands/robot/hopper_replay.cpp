@@ -245,11 +245,12 @@ ExitCode replay_code(const hopper::ReplayReport& report) {
 }
 
 void write_answer(const HopperReplayRequest& request, const HopperCheckInputs& inputs,
-                  const report::ReplayPage& page) {
+                  const report::ReplayPage& page, const std::optional<hopper::Record>& of_trial) {
   const auto& [robot, motion, reference, record, report] = page;
   std::vector<io::FileContent> files;
   if (!request.series_file.empty()) {
-    files.push_back({request.series_file, hopper::series_csv(hopper::run_series(robot, record))});
+    files.push_back({request.series_file,
+                     hopper::series_csv(hopper::run_series(robot, of_trial ? *of_trial : record))});
   }
   if (!request.report_file.empty()) {
     files.push_back({request.report_file, report::replay_html(page)});
@@ -312,7 +313,8 @@ ExitCode run_hopper_replay(const HopperReplayRequest& request) {
   if (request.sweep) report.sweep = sweep(replay);
   report.trials = std::move(trials);
   hopper::add_planned_findings(check, report.result.findings);
-  write_answer(request, inputs, {robot, motion, replay.reference(), run.record, report});
+  write_answer(request, inputs, {robot, motion, replay.reference(), run.record, report},
+               record_of_asked_trial(replay, randomised, request));
   return replay_code(report);
 }
 

@@ -24,8 +24,9 @@ std::optional<hopper::ReadRandomisation> read_trials(const HopperReplayRequest& 
                                                      const hopper::Robot& robot);
 hopper::ReplayedRun run_once(const hopper::Replay& replay, const char* what);
 std::vector<hopper::SweptStep> sweep(const hopper::Replay& replay);
+/// --series is of `of_trial` where it is there.
 void write_answer(const HopperReplayRequest& request, const HopperCheckInputs& inputs,
-                  const report::ReplayPage& page);
+                  const report::ReplayPage& page, const std::optional<hopper::Record>& of_trial);
 /// Of the trials, or of the run where there are none.
 ExitCode replay_code(const hopper::ReplayReport& report);
 

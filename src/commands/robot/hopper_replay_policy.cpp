@@ -117,7 +117,8 @@ ExitCode run_policy_replay(const HopperReplayRequest& asked) {
        hopper::policy_findings(document, use_of(request, inputs.robot, task))) {
     report.result.findings.push_back(std::move(one));
   }
-  write_answer(request, inputs, {ready.robot, motion, replay.reference(), run.record, report});
+  write_answer(request, inputs, {ready.robot, motion, replay.reference(), run.record, report},
+               record_of_asked_trial(replay, randomised, request));
   return replay_code(report);
 }
 

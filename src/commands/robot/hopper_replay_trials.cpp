@@ -89,4 +89,14 @@ void explain_trials(const hopper::Replay& replay, const hopper::Randomisation& r
   }
 }
 
+std::optional<hopper::Record> record_of_asked_trial(
+    const hopper::Replay& replay, const std::optional<hopper::ReadRandomisation>& randomised,
+    const HopperReplayRequest& request) {
+  if (!randomised || request.only_trial < 0 || request.series_file.empty()) return std::nullopt;
+  hopper::ReplayedRun run =
+      replay.run_trial(randomised->randomisation, request.seed,
+                       static_cast<std::size_t>(request.only_trial), {is_interrupted, {}});
+  return std::move(run.record);
+}
+
 }  // namespace torquewright::cli

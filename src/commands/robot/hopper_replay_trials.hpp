@@ -22,4 +22,10 @@ std::optional<hopper::ReplayTrials> run_replay_trials(const hopper::Replay& repl
 void explain_trials(const hopper::Replay& replay, const hopper::Randomisation& randomisation,
                     const HopperReplayRequest& request, hopper::ReplayTrials& trials);
 
+/// Of the trial that --trial asks for alone, by time, for --series; none where all were asked for,
+/// or no series.
+std::optional<hopper::Record> record_of_asked_trial(
+    const hopper::Replay& replay, const std::optional<hopper::ReadRandomisation>& randomised,
+    const HopperReplayRequest& request);
+
 }  // namespace torquewright::cli
