@@ -43,6 +43,11 @@ bool is_gearbox(const io::Document& document) {
 /// A constant that was measured behind one gearbox says nothing of the motor behind another: the
 /// gears' losses are in it.
 void refuse_constants_of_joint(const io::Document& document, const fs::path& gearbox) {
+  if (!document.root.contains("motor")) {
+    io::refuse(gearbox.string(), fmt::format("not put behind {}, which is known by a curve: no "
+                                             "motor is known that gears could be put on",
+                                             document.file));
+  }
   for (const auto& [key, value] : document.root["motor"].items()) {
     if (!value.is_object() || value.value("side", "") != "joint") continue;
     io::refuse(gearbox.string(),

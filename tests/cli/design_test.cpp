@@ -191,6 +191,28 @@ TEST(HopperCheck, CarriesARatingAtTheJointToOtherGears) {
   EXPECT_EQ(seen, 2);
 }
 
+// No motor is known of a drive that is a curve: gears are left out by name, other drives are tried.
+TEST(HopperCheck, PutsNoGearsBehindACurve) {
+  const Workplace place;
+  for (const char* folder : {"robot", "actuator", "gearbox", "shelf"}) {
+    std::filesystem::create_directory(place.path(folder));
+  }
+  place.write("robot/hopper.json", text_of(in_specs("robot/hopper.json")));
+  place.write("actuator/d110a_ankle.json", text_of(in_specs("actuator/d110a_ankle.json")));
+  for (const char* file : {"d151_strength.json", "d151_knee_result.json", "d151_knee.json"}) {
+    place.write(std::string("gearbox/") + file, text_of(in_specs(std::string("gearbox/") + file)));
+  }
+  ASSERT_EQ(
+      place.run({"init", "actuator", "--envelope", "-o", "actuator/d151_knee.json"}).exit_code, 0);
+  ASSERT_EQ(place.run({"init", "gearbox", "-o", "shelf/gears.json"}).exit_code, 0);
+  place.write("shelf/knee.json", text_of(in_specs("actuator/d151_knee.json")));
+  const Outcome outcome =
+      place.run({"hopper", "check", "robot/hopper.json", in_specs("trajectory/hopper_squat.csv"),
+                 "--candidates", "shelf"});
+  EXPECT_LE(outcome.exit_code, 1) << outcome.err;
+  EXPECT_NE(outcome.out.find("which is known by a curve"), std::string::npos) << outcome.out;
+}
+
 TEST(Design, RefusesWhatItCannotAsk) {
   const Workplace place;
   write_motors(place);
