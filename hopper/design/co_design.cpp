@@ -60,23 +60,32 @@ class Work {
     return results;
   }
 
-  void prune() {
+  /// Every motor at every ratio, ratio by ratio, behind gears that take nothing on the way out.
+  std::vector<Candidate> behind_ideal_gears(double backward_efficiency) const {
     std::vector<Candidate> candidates;
     for (const io::Rational& ratio : question_.ratios) {
       for (std::size_t motor = 0; motor < motors().size(); ++motor) {
         actuator::Transmission nothing;
         nothing.ratio = io::nearest(at_ratio(question_.problem, ratio).target_ratio);
-        nothing.backward_efficiency = kLeastBackwardEfficiency;
+        nothing.backward_efficiency = backward_efficiency;
         candidates.push_back(candidate(motor, nothing));
       }
     }
-    const std::vector<CandidateResult> results =
-        tried("motors behind gears that take nothing", std::move(candidates));
-    for (std::size_t i = 0; i < results.size(); ++i) {
-      if (results[i].verdict != Verdict::kFail) continue;
+    return candidates;
+  }
+
+  /// Gears that bear all on the way back spare the motor, those that bear nothing feed a battery
+  /// that others share: only what fails behind both is left out.
+  void prune() {
+    const char* const what = "motors behind gears that take nothing";
+    const std::vector<CandidateResult> spared =
+        tried(what, behind_ideal_gears(kLeastBackwardEfficiency));
+    const std::vector<CandidateResult> feeding = tried(what, behind_ideal_gears(1.0));
+    for (std::size_t i = 0; i < spared.size(); ++i) {
+      if (spared[i].verdict != Verdict::kFail || feeding[i].verdict != Verdict::kFail) continue;
       const std::size_t ratio = i / motors().size(), motor = i % motors().size();
       may_use_[ratio][motor] = false;
-      answer_.pruned.push_back({motor, ratio, results[i].why});
+      answer_.pruned.push_back({motor, ratio, spared[i].why});
     }
   }
 

@@ -59,9 +59,9 @@ double greatest_load_Nm(const Robot& robot, std::size_t drivetrain, const Hopper
 
 /// Tries every motor of the shelf behind the proved gearboxes of every ratio, in one drivetrain of
 /// a robot, on a motion, all other drives as the robot has them. Before gears are searched, each
-/// motor is tried at each ratio behind gears that lose nothing when the motor drives, bear nearly
-/// all when the joint does, turn no inertia and weigh nothing. What fails so, fails because of the
-/// motor and the ratio. `report` is check_motion()'s of the same.
+/// motor is tried at each ratio behind gears that lose nothing when the motor drives, turn no
+/// inertia and weigh nothing, and when the joint drives bear nearly all, or nothing. What fails
+/// behind both, fails because of the motor and the ratio. `report` is check_motion()'s of the same.
 CoDesign co_design(const Robot& robot, const Motion& motion, const CheckOptions& options,
                    const HopperReport& report, const CoDesignQuestion& question);
 

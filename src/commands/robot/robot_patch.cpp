@@ -63,7 +63,9 @@ ExitCode run_patch(const PatchOptions& options) {
   for (const std::string& text : options.drives) drives.push_back(drive_of(text));
   const hopper::PatchedFile patched = hopper::patched_file(options.robot_file, before, drives);
   check_written(named({options.output_file}), {options.robot_file});
-  std::string text = fmt::format("{}: {} joints\n", options.robot_file, patched.joints.size());
+  const std::size_t count = patched.joints.size();
+  std::string text =
+      fmt::format("{}: {} {}\n", options.robot_file, count, count == 1 ? "joint" : "joints");
   for (const hopper::PatchedDrive& each : drives) text += numbers_line(each);
   text += hopper::line_difference(before, patched.text);
   for (const std::string& note : patched.notes) text += "note: " + note + "\n";

@@ -114,8 +114,8 @@ std::string failing_text(const CoDesign& design, bool all) {
 std::string pruned_text(const CoDesignQuestion& question, const CoDesign& design, bool all) {
   if (design.pruned.empty()) return "";
   std::string text = fmt::format(
-      "{} not searched: not even gears that lose nothing on the way out, bear nearly all on the "
-      "way back and weigh nothing would do\n",
+      "{} not searched: not even gears that lose nothing on the way out and weigh nothing would "
+      "do, whether they bear nearly all on the way back or nothing\n",
       design.pruned.size() == 1 ? "1 pair" : fmt::format("{} pairs", design.pruned.size()));
   for (std::size_t i = 0; i < design.pruned.size() && (all || i < kShownFailing); ++i) {
     const PrunedPair& pair = design.pruned[i];
