@@ -10,11 +10,12 @@ namespace torquewright::hopper {
 
 /// What a controller takes its looks and its model to be worth; standard deviations.
 struct WeighingOptions {
-  double place_m = 0.01;        ///< Of a look's place of the base,
-  double angle_rad = 0.02;      ///< its attitude and joints (m where prismatic),
-  double speed_m_s = 0.05;      ///< the base's velocity,
-  double rate_rad_s = 0.2;      ///< and all other rates.
-  double torque_Nm = 0.1;       ///< Of what a drive does beside the model,
+  double place_m = 0.01;    ///< Of a look's place of the base,
+  double angle_rad = 0.02;  ///< its attitude and joints (m where prismatic),
+  double speed_m_s = 0.05;  ///< the base's velocity,
+  double rate_rad_s = 0.2;  ///< and all other rates.
+  /// Of what a drive does beside the model: feedback of some 3 Nm, with gains that are a tenth off,
+  double torque_Nm = 0.3;
   double torque_time_s = 0.05;  ///< which stays for about so long.
 };
 

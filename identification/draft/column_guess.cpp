@@ -32,6 +32,7 @@ enum class Says {
   kOutputSide,
   kSensor,
   kReported,
+  kFeedforward,
   kBus,
   kWinding,
   kCase,
@@ -96,6 +97,8 @@ constexpr Word kWords[] = {
     {"goal", Says::kCommanded},
     {"target", Says::kCommanded},
     {"setpoint", Says::kCommanded},
+    {"ff", Says::kFeedforward},
+    {"feedforward", Says::kFeedforward},
     {"motor", Says::kMotorSide},
     {"rotor", Says::kMotorSide},
     {"output", Says::kOutputSide},
@@ -201,6 +204,7 @@ std::optional<Quantity> velocity_of(const Reading& by, bool is_linear) {
 }
 
 Quantity torque_of(const Reading& by) {
+  if (by.has(Says::kFeedforward)) return Quantity::kFeedforwardTorque;
   if (by.has(Says::kCommanded)) return Quantity::kCommandedTorque;
   return by.has(Says::kReported) ? Quantity::kReportedTorque : Quantity::kOutputTorque;
 }

@@ -43,7 +43,8 @@ void require_channels(const Rig& rig, const Log& log, std::size_t joint) {
   if (log.runs.has(joint, Quantity::kCommandedTorque)) {
     io::refuse(rig.file,
                fmt::format("a column is commanded_torque_Nm{}, which the law of the controller "
-                           "makes too; leave one of them out",
+                           "makes too; leave one of them out, or call the column "
+                           "feedforward_torque_Nm, if it was added to the law's",
                            of));
   }
   if (log.runs.head(0).is_map) {

@@ -8,6 +8,8 @@
 #include "identification/log/spread_runs.hpp"
 #include "identification/reading/commanded_torques.hpp"
 #include "identification/reading/contents.hpp"
+#include "identification/reading/feedforward.hpp"
+#include "identification/reading/given_signs.hpp"
 #include "identification/reading/holdout.hpp"
 #include "identification/reading/log_reader.hpp"
 #include "identification/reading/motion.hpp"
@@ -161,7 +163,9 @@ Log read_log(const std::vector<std::filesystem::path>& files, const Rig& rig,
   report_rig(rig, log.findings);
   if (!rig.load.is_steady) mend_and_check_motion(rig, log);
   check_robot_motion(rig, log);
+  add_feedforward(rig, log);
   add_commanded_torques(rig, log);
+  give_signs(rig, log);
   choose_holdout(log, rig);
   report_length(log);
   check_contents(log, rig);

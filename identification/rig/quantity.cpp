@@ -31,6 +31,7 @@ constexpr std::array<Entry, kQuantityCount> kEntries = {{
     {"linear_position_m", "m"},
     {"linear_velocity_m_s", "m/s"},
     {"linear_force_N", "N"},
+    {"feedforward_torque_Nm", "Nm"},
 }};
 
 }  // namespace
@@ -56,6 +57,7 @@ bool is_command(Quantity quantity) {
     case Quantity::kCommandedTorque:
     case Quantity::kCommandedPosition:
     case Quantity::kEnabled:
+    case Quantity::kFeedforwardTorque:
       return true;
     default:
       return false;

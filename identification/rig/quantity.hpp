@@ -30,8 +30,9 @@ enum class Quantity {
   kLinearPosition,
   kLinearVelocity,
   kLinearForce,
+  kFeedforwardTorque,  ///< Asked for beside what the joint's own controller makes of its position.
 };
-constexpr std::size_t kQuantityCount = 20;
+constexpr std::size_t kQuantityCount = 21;
 
 /// Name as in documents: "time_s", "motor_current_A", ...
 std::string_view name_of(Quantity quantity);
@@ -40,7 +41,7 @@ std::optional<Quantity> find_quantity(std::string_view name);
 /// Unit at the end of its name: "A", "rad/s", "Nm", ...; empty where there is none.
 std::string_view unit_of(Quantity quantity);
 
-/// Whether the quantity is set, not measured: commanded torque and position, duty, `enabled`.
+/// Whether the quantity is set, not measured: commanded torques and position, duty, `enabled`.
 bool is_command(Quantity quantity);
 
 }  // namespace torquewright::identification

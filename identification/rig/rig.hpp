@@ -28,6 +28,7 @@ struct ColumnUse {
   /// Joint of a serial arm; empty: the column holds for all joints, or there is only one.
   std::string joint;
   bool has_unit = false;  ///< The document states the column's unit, or a scale.
+  bool has_sign = true;   ///< False: the column is a magnitude.
 };
 
 enum class LoadType { kDynamometer, kFree, kPendulum, kLinearAxis, kSerialArm, kRobot };

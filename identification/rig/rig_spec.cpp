@@ -45,6 +45,11 @@ bool may_be_shared(Quantity quantity) {
          quantity == Quantity::kCaseTemperature || quantity == Quantity::kEnabled;
 }
 
+bool may_lack_sign(Quantity quantity) {
+  return quantity == Quantity::kMotorCurrent || quantity == Quantity::kReportedTorque ||
+         quantity == Quantity::kOutputTorque;
+}
+
 bool needs_time(Quantity quantity) {
   return quantity == Quantity::kOutputVelocity || quantity == Quantity::kMotorVelocity ||
          quantity == Quantity::kLinearVelocity;
@@ -169,7 +174,8 @@ class RigReader {
                           scale * unit.in_SI,
                           scale * unit.zero_in_SI + fields.value("offset", 0.0),
                           fields.value("joint", ""),
-                          fields.contains("unit") || fields.contains("scale")};
+                          fields.contains("unit") || fields.contains("scale"),
+                          !fields.contains("sign")};
       if (rig_.load.type == LoadType::kRobot && io::is_pattern(column)) {
         read_pattern(use, path);
         continue;
@@ -220,6 +226,11 @@ class RigReader {
     if (const double size = std::abs(fields.value("scale", 1.0)); size > 0.0 && size < kLeastScale)
       report(path + "/scale",
              fmt::format("{:g} is less than {:g} in magnitude", size, kLeastScale));
+    if (!use.has_sign && !may_lack_sign(use.quantity)) {
+      report(path + "/sign", fmt::format("{} is never logged without a sign; motor_current_A, "
+                                         "reported_torque_Nm and output_torque_Nm may be",
+                                         name_of(use.quantity)));
+    }
     if (use.quantity == Quantity::kTime && use.scale < 0.0) {
       report(path + "/scale", "is negative; time must run forward");
     }
