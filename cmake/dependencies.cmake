@@ -9,12 +9,13 @@ find_package(valijson REQUIRED)
 if(BUILD_TESTING)
   find_package(GTest REQUIRED)
   find_package(benchmark REQUIRED)
+  # Reads what the program writes; its licence, the GPL, is not one to be given away with Ipopt's.
+  pkg_check_modules(DXFLIB REQUIRED IMPORTED_TARGET dxflib)
 endif()
 find_package(Eigen3 REQUIRED)
 pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
 pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 pkg_check_modules(TINYXML2 REQUIRED IMPORTED_TARGET tinyxml2)
-pkg_check_modules(DXFLIB REQUIRED IMPORTED_TARGET dxflib)
 pkg_check_modules(NETTLE REQUIRED IMPORTED_TARGET nettle)
 # Compressed logs and recordings; their headers lie where every compiler looks. matio is loaded when
 # it is asked for: the build needs its header, a test its functions.

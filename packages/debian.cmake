@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-# cpack -G DEB
+# cpack -G DEB, and by generator.cmake -G TGZ.
 set(CPACK_GENERATOR DEB)
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_SOURCE_DIR}/generator.cmake)
 set(CPACK_PACKAGE_NAME torquewright)
 set(CPACK_PACKAGE_VENDOR Torquewright)
 set(CPACK_PACKAGE_CONTACT "Torquewright <torquewright@example.org>")

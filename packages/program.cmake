@@ -9,13 +9,16 @@ add_custom_command(
   VERBATIM)
 add_custom_target(packaged_texts ALL DEPENDS ${texts}/written)
 
+# By component and the folder for what no processor runs; further words are install's.
+function(install_texts component share)
+  set(how COMPONENT ${component} ${ARGN})
+  install(DIRECTORY ${texts}/man1 DESTINATION ${share}/man ${how})
+  install(FILES ${texts}/torquewright.bash RENAME torquewright
+    DESTINATION ${share}/bash-completion/completions ${how})
+  install(FILES ${texts}/torquewright.zsh RENAME _torquewright
+    DESTINATION ${share}/zsh/vendor-completions ${how})
+  install(FILES ${texts}/torquewright.fish DESTINATION ${share}/fish/vendor_completions.d ${how})
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/specs DESTINATION ${share}/torquewright ${how})
+endfunction()
 install(TARGETS torquewright RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
-install(DIRECTORY ${texts}/man1 DESTINATION ${CMAKE_INSTALL_MANDIR} COMPONENT program)
-install(FILES ${texts}/torquewright.bash RENAME torquewright
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions COMPONENT program)
-install(FILES ${texts}/torquewright.zsh RENAME _torquewright
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT program)
-install(FILES ${texts}/torquewright.fish
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d COMPONENT program)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/specs
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/torquewright COMPONENT program)
+install_texts(program ${CMAKE_INSTALL_DATADIR})

@@ -12,10 +12,12 @@
 #include <array>
 #include <cstddef>
 #include <cstring>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "io/files/direct_output.hpp"
+#include "io/files/own_arguments.hpp"
 #include "src/exit_code.hpp"
 
 namespace torquewright::cli {
@@ -62,24 +64,29 @@ bool is_superseded(std::string_view variable) {
 
 /// What the C library is about to take as its environment cannot be added to: it is changed by a
 /// new start.
-void start_again(char* const* arguments, char* const* variables) {
+void start_again(char* const* variables) {
   std::vector<char*> changed;
   for (; *variables != nullptr; ++variables) {
     if (!is_superseded(*variables)) changed.push_back(*variables);
   }
   for (const std::string_view one : kOneThread) changed.push_back(const_cast<char*>(one.data()));
   changed.push_back(nullptr);
-  ::execve("/proc/self/exe", arguments, changed.data());  // where it fails: as it is
+  std::vector<std::string> words = io::own_arguments();
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  // Where it fails: as it is.
+  ::execve("/proc/self/exe", arguments.data(), changed.data());
 }
 
-void fit_openblas(int, char** arguments, char** variables) {
+void fit_openblas(int, char**, char** variables) {
   if (!is_limited() || ::dl_iterate_phdr(is_openblas, nullptr) == 0) return;
   if (!has_room()) {
     io::write_all(STDERR_FILENO, kTooSmall);
     ::_exit(static_cast<int>(ExitCode::kBadInput));
   }
   for (const std::string_view one : kOneThread) {
-    if (!holds(variables, one)) return start_again(arguments, variables);
+    if (!holds(variables, one)) return start_again(variables);
   }
 }
 

@@ -94,13 +94,21 @@ class Patch {
     }
   }
 
+  /// A pattern means the joints that turn: LF_KFE and not LF_thigh_fixed_LF_KFE. A fixed joint that
+  /// is called by its name is meant.
+  bool is_meant(const std::string& joint, const std::string& pattern) const {
+    if (!io::fits_pattern(joint, pattern)) return false;
+    const auto found = std::find_if(joints_.begin(), joints_.end(),
+                                    [&](const auto& each) { return each.first == joint; });
+    const bool is_fixed = is_urdf_ && elements_[found->second].value("type") == "fixed";
+    return !is_fixed || pattern.find('*') == std::string::npos;
+  }
+
   void require_fits() const {
     std::vector<std::string> names;
     for (const auto& [name, joint] : joints_) names.push_back(name);
     for (const PatchedDrive& each : drives_) {
-      const auto fits = [&](const std::string& name) {
-        return io::fits_pattern(name, each.pattern);
-      };
+      const auto fits = [&](const std::string& name) { return is_meant(name, each.pattern); };
       if (std::any_of(names.begin(), names.end(), fits)) continue;
       std::string why = "fits no joint of " + file_;
       if (const auto near = io::nearest(each.pattern, names)) {
@@ -126,7 +134,7 @@ class Patch {
   const PatchedDrive* drive_of(const std::string& joint) const {
     const PatchedDrive* found = nullptr;
     for (const PatchedDrive& each : drives_) {
-      if (!io::fits_pattern(joint, each.pattern)) continue;
+      if (!is_meant(joint, each.pattern)) continue;
       if (found != nullptr) {
         io::refuse(each.pattern,
                    fmt::format("fits {} too, which \"{}\" fits: a joint has one drive", joint,

@@ -15,6 +15,7 @@ namespace torquewright::cli {
 /// What `hopper check` is asked, in the words of the command line. An empty name of a file: not
 /// asked for.
 struct HopperCheckRequest {
+  std::string command_group = "hopper";  ///< Under which word the command was called.
   std::string robot_file;
   std::string trajectory_file;
   std::vector<std::string> columns;  ///< NAME=OWNER.QUANTITY[:unit][*factor]

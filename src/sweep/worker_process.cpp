@@ -12,10 +12,11 @@
 #include <csignal>
 #include <cstring>
 #include <system_error>
+#include <utility>
 
 #include "io/faults/refusal.hpp"
 #include "io/files/direct_output.hpp"
-#include "io/files/file_bytes.hpp"
+#include "io/files/own_arguments.hpp"
 #include "src/sweep/worker_channel.hpp"
 
 extern char** environ;  // NOLINT: the name is POSIX's.
@@ -40,20 +41,6 @@ struct Pipe {
   Pipe& operator=(const Pipe&) = delete;
   int take(std::size_t end) { return std::exchange(ends[end], -1); }
 };
-
-std::vector<std::string> own_arguments() {
-  const std::string bytes = io::read_file_bytes("/proc/self/cmdline");
-  std::vector<std::string> words(1);
-  for (const char c : bytes) {
-    if (c == '\0') {
-      words.emplace_back();
-    } else {
-      words.back() += c;
-    }
-  }
-  words.pop_back();  // behind the last zero
-  return words;
-}
 
 /// This process's, and whose worker it is.
 std::vector<std::string> environment() {
@@ -83,7 +70,7 @@ pid_t spawned(const Pipe& down, const Pipe& up) {
   posix_spawnattr_init(&attributes);
   posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETPGROUP);
   posix_spawnattr_setpgroup(&attributes, 0);
-  std::vector<std::string> arguments = own_arguments();
+  std::vector<std::string> arguments = io::own_arguments();
   std::vector<std::string> variables = environment();
   pid_t child = -1;
   const int error = posix_spawn(&child, "/proc/self/exe", &actions, &attributes,

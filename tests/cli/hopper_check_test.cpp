@@ -162,6 +162,28 @@ TEST_F(HopperCheck, AnswersOnOneScreen) {
   EXPECT_NE(check(crane(), swing(0.0), {"--all"}).out.find("  margin   "), std::string::npos);
 }
 
+TEST_F(HopperCheck, GoesOnByTheWordThatItWasCalledBy) {
+  for (const std::string word : {"hopper", "robot"}) {
+    const Outcome outcome = Workplace().run(
+        {word, "check", in_specs("robot/hopper.json"), in_specs("trajectory/hopper_squat.csv")});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find("\nnext: torquewright " + word + " replay "), std::string::npos)
+        << outcome.out;
+  }
+}
+
+// `hopper replay` refuses what cannot fall.
+TEST_F(HopperCheck, SendsNothingToAReplayThatStandsFixed) {
+  json robot = crane();
+  robot["base"]["motion"] = "fixed";
+  robot.erase("contacts");
+  const Outcome outcome =
+      check(robot, "time_s,elbow_position_rad\n0,0\n0.1,0\n0.2,0\n0.3,0\n0.4,0\n0.5,0\n");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("\nnext: torquewright hopper check "), std::string::npos)
+      << outcome.out;
+}
+
 // The elbow holds the arm with 4.905 Nm, which its gears pass, touching or not.
 TEST_F(HopperCheck, FailsWhereTheGearsPassMoreThanTheyBear) {
   json robot = crane();

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -96,6 +97,28 @@ TEST(InitFromSheet, WritesTheCurveWhereTheWindingIsNotKnown) {
   EXPECT_TRUE(desk.document().contains("envelope"));
   EXPECT_NE(outcome.out.find("Not used: Peak current.\n"), std::string::npos) << outcome.out;
   EXPECT_NEAR(desk.row_at("5")["torque_max_Nm"].get<double>(), 15.0, 15.0 * kRoundOff);
+}
+
+// Torque at rest: Kt I through gears of that ratio and efficiency, as `gearbox evaluate` has them.
+TEST(InitFromSheet, TakesAGearboxForTheRatio) {
+  const Desk desk;
+  const std::string result = in_repository("specs/gearbox/d151_knee_result.json").string();
+  const Outcome outcome = desk.answer("48 V\n" + result + "\n\n\n0.1 Nm_A\n\n0.1 ohm\n30 A\n\n\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json design = json::parse(text_of(result))["designs"][0];
+  const double torque_Nm = 0.1 * 30.0 * 20.0 * design["forward_efficiency"].get<double>();
+  EXPECT_NEAR(desk.row_at("0.001")["torque_max_Nm"].get<double>(), torque_Nm, 1e-9 * torque_Nm);
+  const json assumed = desk.document()["assumed"];
+  EXPECT_EQ(std::count(assumed.begin(), assumed.end(), "/gearbox/forward_efficiency"), 0);
+  for (const char* wrong : {"nothing.json", "lines.txt.json"}) {
+    const Desk other;
+    other.write("lines.txt.json", "{}");
+    const Outcome refused =
+        other.answer(std::string("48 V\n") + wrong + "\n\n\n0.1\n\n0.1\n30 A\n\n\n");
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_TRUE(refused.err.starts_with("standard input, line 2 (Gear ratio): \"")) << refused.err;
+    EXPECT_FALSE(other.has("a.json"));
+  }
 }
 
 // Nothing is written where an answer is no number, of another unit, too few or too many.

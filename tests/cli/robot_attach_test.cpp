@@ -61,7 +61,24 @@ TEST(RobotAttach, GivesDrivesToARobotThatHasNone) {
                  "-o", "driven.json"});
   ASSERT_EQ(attached.exit_code, 0) << attached.err;
   EXPECT_EQ(drives_of(place, "driven.json").size(), 1u);
+  EXPECT_EQ(attached.out.find("reflected_inertia_kg_m2"), std::string::npos) << attached.out;
   EXPECT_EQ(nlohmann::ordered_json::parse(place.text("driven.json")).begin().key(), "kind");
+}
+
+// An armature in a simulator's file is that of the drives that the robot had.
+TEST(RobotAttach, SaysWhichJointsKeepTheirOwnRotor) {
+  const Workplace place;
+  place.write("leg.xml", R"(<mujoco><worldbody><body name="thigh">
+    <joint name="hip" axis="0 1 0" armature="0.02"/><geom size=".1" mass="1"/><body name="shank">
+    <joint name="knee" axis="0 1 0"/><geom size=".1" mass="1"/></body></body></worldbody></mujoco>)");
+  ASSERT_EQ(place.run({"robot", "import", "leg.xml", "-o", "leg.json"}).exit_code, 0);
+  const Outcome attached =
+      place.run({"robot", "attach", "leg.json", "*=" + in_specs("actuator/d151_knee.json"), "-o",
+                 "new.json"});
+  ASSERT_EQ(attached.exit_code, 0) << attached.err;
+  EXPECT_NE(attached.out.find("note: 1 of these joints state reflected_inertia_kg_m2"),
+            std::string::npos)
+      << attached.out;
 }
 
 TEST(RobotAttach, SaysWhatDoesNotFit) {

@@ -108,6 +108,26 @@ const char* const kUrdf = R"(<?xml version="1.0"?>
 </robot>
 )";
 
+// Joints that turn are meant by a pattern; whoever names a fixed one is told.
+TEST(RobotPatch, PassesFixedJointsByThatAPatternFits) {
+  const PatchDesk desk;
+  const std::string fixed = with(kUrdf, "<joint name=\"ankle\" type=\"revolute\">",
+                                 "<joint name=\"rigid_knee\" type=\"fixed\">");
+  desk.write("leg.urdf", fixed);
+  const Outcome patched =
+      desk.run({"robot", "patch", "leg.urdf", "*knee=drive.json", "-o", "new.urdf"});
+  ASSERT_EQ(patched.exit_code, 0) << patched.err;
+  EXPECT_TRUE(patched.out.starts_with("leg.urdf: 1 joint\n")) << patched.out;
+  EXPECT_NE(desk.text("new.urdf").find(fixed.substr(fixed.find("<joint name=\"rigid_knee\""))),
+            std::string::npos);
+  const Outcome named = desk.run({"robot", "patch", "leg.urdf", "rigid_knee=drive.json"});
+  EXPECT_EQ(named.exit_code, 2);
+  EXPECT_NE(named.err.find("rigid_knee is fixed"), std::string::npos) << named.err;
+  const Outcome none = desk.run({"robot", "patch", "leg.urdf", "rigid*=drive.json"});
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_NE(none.err.find("fits no joint of leg.urdf"), std::string::npos) << none.err;
+}
+
 TEST(RobotPatch, WritesNumbersIntoAUrdfThatAnotherParserReads) {
   const PatchDesk desk;
   desk.write("leg.urdf", kUrdf);

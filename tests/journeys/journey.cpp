@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <regex>
 #include <sstream>
 #include <stdexcept>
 #include <string_view>
@@ -28,6 +29,16 @@ std::string named_file(const std::string& line) {
   return line.substr(begin + 1, end - begin - 1);
 }
 
+/// Takes the line as a question with its answer where the step is a command that asks.
+bool take_answer(const std::string& line, Step& step) {
+  static const std::regex kQuestion(R"((\S.* \[.+\]:) ?(.*))");
+  std::smatch parts;
+  const bool asks = step.typed.front().find("--from-sheet") != std::string::npos;
+  if (!asks || !std::regex_match(line, parts, kQuestion)) return false;
+  step.answers.push_back({parts[1], parts[2]});
+  return true;
+}
+
 }  // namespace
 
 std::vector<Step> steps_of(const std::string& page) {
@@ -38,15 +49,15 @@ std::vector<Step> steps_of(const std::string& page) {
   for (std::string line; std::getline(stream, line);) {
     if (line.starts_with(kFence)) {
       is_in_file = !is_in_file;
-      if (is_in_file) steps.push_back({{"cat > " + named_file(above) + " << 'END'"}, {}});
+      if (is_in_file) steps.push_back({{"cat > " + named_file(above) + " << 'END'"}, {}, {}});
       if (!is_in_file) steps.back().typed.emplace_back("END");
     } else if (is_in_file) {
       steps.back().typed.push_back(line);
     } else if (line.starts_with(kCommandIndent)) {
       const std::string text = line.substr(kCommandIndent.size());
       if (is_command(text)) {
-        steps.push_back({{text}, {}});
-      } else if (!steps.empty()) {
+        steps.push_back({{text}, {}, {}});
+      } else if (!steps.empty() && !take_answer(text, steps.back())) {
         steps.back().printed.push_back(text);
       }
     }

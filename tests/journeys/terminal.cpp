@@ -197,6 +197,18 @@ Screen Terminal::run(const Words& lines) {
   return wait();
 }
 
+Screen Terminal::run(const std::string& command, const std::vector<Answer>& answers) {
+  begin_ = first_free_row();
+  type(command);
+  press("Enter");
+  for (const auto& [question, typed] : answers) {
+    if (!comes(question)) throw std::runtime_error("nobody asks " + question);
+    type(typed);
+    press("Enter");
+  }
+  return wait();
+}
+
 Screen Terminal::wait() {
   const std::size_t until = prompts_seen_ + 1;
   const std::string prompt = kPrompt.substr(0, kPrompt.size() - 1);

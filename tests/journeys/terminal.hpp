@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/journeys/journey.hpp"
+
 namespace torquewright::journeys {
 
 /// The window of the tests: as narrow as windows commonly are.
@@ -34,6 +36,8 @@ class Terminal {
 
   /// Types the lines, the last one's Enter too, and waits for the prompt. Throws where none comes.
   Screen run(const std::vector<std::string>& lines);
+  /// Types a command, and each answer when its question has come. Throws where none comes.
+  Screen run(const std::string& command, const std::vector<Answer>& answers);
   /// Types without Enter.
   void type(const std::string& text) const;
   /// A key by tmux' name: Tab, Enter, C-c.

@@ -97,6 +97,7 @@ ExitCode run_hopper_check(const HopperCheckRequest& request) {
 void add_hopper_check_command(command_line::Command& group) {
   auto request = std::make_shared<HopperCheckRequest>();
   command_line::Command command = group.add_command("check", "Can this robot do this motion?");
+  request->command_group = group.declared().name;
   add_hopper_check_options(command, *request);
   command.example(
       fmt::format("torquewright {} check specs/robot/hopper.json specs/trajectory/hopper_flip.csv",

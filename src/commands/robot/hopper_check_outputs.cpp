@@ -28,14 +28,17 @@
 namespace torquewright::cli {
 namespace {
 
-/// What one does with the answer.
-std::string next_line(const HopperCheckRequest& request, actuator::Verdict verdict) {
+/// What one does with the answer, by the same word. What cannot fall is not replayed.
+std::string next_line(const HopperCheckRequest& request, const hopper::Robot& robot,
+                      actuator::Verdict verdict) {
   const std::string files =
       report::shell_word(request.robot_file) + " " + report::shell_word(request.trajectory_file);
-  if (verdict == actuator::Verdict::kPass) {
-    return fmt::format("next: torquewright hopper replay {}\n", files);
+  const bool can_fall = robot.tree.base != dynamics::BaseKind::kFixed && !robot.contacts.empty();
+  if (verdict == actuator::Verdict::kPass && can_fall && !robot.drivetrains.empty()) {
+    return fmt::format("next: torquewright {} replay {}\n", request.command_group, files);
   }
-  return fmt::format("next: torquewright hopper check {} --report check.html\n", files);
+  return fmt::format("next: torquewright {} check {} --report check.html\n", request.command_group,
+                     files);
 }
 
 std::string hopper_check_text(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
@@ -44,7 +47,7 @@ std::string hopper_check_text(const HopperCheckRequest& request, const HopperChe
   std::string text = request.all ? report::hopper_text(robot, found.motion, found.report)
                                  : report::hopper_screen(robot, found.motion, found.report);
   if (found.candidates.empty()) {
-    return request.all ? text : text + next_line(request, found.report.check.verdict);
+    return request.all ? text : text + next_line(request, robot, found.report.check.verdict);
   }
   text += report::candidates_text(robot, found.candidates);
   for (const std::string& sentence : inputs.candidates.left_out) {

@@ -65,6 +65,17 @@ std::string table_of(const std::vector<hopper::AttachedDrive>& attached) {
   return text;
 }
 
+/// Files of simulators state armature, of the drives that the robot had.
+std::string rotor_note(const std::string& document,
+                       const std::vector<hopper::AttachedDrive>& attached) {
+  const std::size_t count = count_own_rotors(document, attached);
+  if (count == 0) return "";
+  return fmt::format(
+      "note: {} of these joints state reflected_inertia_kg_m2, which holds in the place of their "
+      "drives' rotors; take it out where it is of another drive\n",
+      count);
+}
+
 ExitCode run_attach(const AttachOptions& options) {
   const hopper::ReadRobot read = hopper::read_robot(options.robot_file);
   const auto attached = hopper::attached_drives(read.robot, patterns_of(options));
@@ -79,8 +90,9 @@ ExitCode run_attach(const AttachOptions& options) {
     return ExitCode::kPasses;
   }
   print_result(for_window(
-      fmt::format("{}\nnext: torquewright robot export {} --format isaac-lab --actuators\n",
-                  table_of(attached), report::shell_word(options.output_file))));
+      fmt::format("{}{}\nnext: torquewright robot export {} --format isaac-lab --actuators\n",
+                  table_of(attached), rotor_note(document, attached),
+                  report::shell_word(options.output_file))));
   return ExitCode::kPasses;
 }
 

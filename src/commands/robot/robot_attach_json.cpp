@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/commands/robot/robot_attach_json.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "io/documents/json_layout.hpp"
@@ -35,6 +36,18 @@ std::string robot_with_drives(const std::filesystem::path& robot,
     }
   }
   return io::json_layout(document);
+}
+
+std::size_t count_own_rotors(const std::string& document,
+                             const std::vector<hopper::AttachedDrive>& attached) {
+  const auto root = nlohmann::json::parse(document);
+  std::size_t count = 0;
+  for (const nlohmann::json& joint : root["joints"]) {
+    count += joint.contains("reflected_inertia_kg_m2") &&
+             std::any_of(attached.begin(), attached.end(),
+                         [&](const auto& each) { return joint["name"] == each.joint; });
+  }
+  return count;
 }
 
 }  // namespace torquewright::cli

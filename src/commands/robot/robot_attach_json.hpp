@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,5 +15,10 @@ namespace torquewright::cli {
 std::string robot_with_drives(const std::filesystem::path& robot,
                               const std::filesystem::path& place,
                               const std::vector<hopper::AttachedDrive>& attached);
+
+/// How many of these joints state in that document what their rotor weighs, which then holds in the
+/// place of their drive's rotor.
+std::size_t count_own_rotors(const std::string& document,
+                             const std::vector<hopper::AttachedDrive>& attached);
 
 }  // namespace torquewright::cli

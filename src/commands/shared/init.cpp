@@ -91,6 +91,13 @@ std::string next_line(const StartedKind& kind, const std::string& file) {
                      fmt::format(fmt::runtime(kind.next), report::shell_word(file)));
 }
 
+/// Where the document will be; on standard output, here.
+std::filesystem::path folder_of(const std::string& output_file) {
+  const bool is_file = !output_file.empty() && !is_standard_output(output_file);
+  return is_file ? std::filesystem::absolute(output_file).parent_path()
+                 : std::filesystem::current_path();
+}
+
 /// A document to start from, and what is printed beside it.
 struct Start {
   std::string document;
@@ -141,7 +148,8 @@ Start start_of(const InitOptions& options, const StartedKind& kind) {
   if (is_rig && !options.from.empty()) return rig_of_log(options.from, options.output_file);
   const std::string next = next_line(kind, options.output_file);
   if (options.from_sheet) {
-    SheetDocument sheet = sheet_document(ask_sheet(sheet_objection));
+    SheetDocument sheet =
+        sheet_document(ask_sheet(sheet_objection), folder_of(options.output_file));
     return {std::move(sheet.text), std::move(sheet.explanation), next};
   }
   if (options.is_synthesis) {

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -14,6 +15,7 @@
 #include <vector>
 
 #include "actuator/motor/convention.hpp"
+#include "actuator/motor/gearbox_source_spec.hpp"
 #include "io/documents/document.hpp"
 #include "io/documents/json_layout.hpp"
 #include "io/documents/schema.hpp"
@@ -27,11 +29,14 @@ namespace {
 using actuator::CurrentConvention;
 using nlohmann::ordered_json;
 
+constexpr const char* kRatio = "/gearbox/ratio";
 constexpr const char* kOfPhase = "phase";
 constexpr const char* kOfTerminals = "line_to_line";
 
-/// "93 mohm phase" as its number, its unit and the word behind it.
+/// "93 mohm phase" as its number, its unit and the word behind it; or, in the place of a ratio, the
+/// document of the gearbox that has it.
 struct Typed {
+  std::string file;
   double number = 0.0;
   std::string unit;
   std::string word;
@@ -45,11 +50,15 @@ std::string without_blanks_around(std::string text) {
 
 std::optional<Typed> taken_apart(const SheetQuestion& question, const std::string& answer) {
   Typed typed;
+  if (question.pointer == kRatio && answer.ends_with(".json")) {
+    typed.file = answer;
+    return typed;
+  }
   const char* end = answer.data() + answer.size();
   const auto [rest, error] = std::from_chars(answer.data(), end, typed.number);
   if (error != std::errc() || !std::isfinite(typed.number)) return std::nullopt;
   typed.unit = without_blanks_around(std::string(rest, end));
-  if (question.pointer == "/gearbox/ratio" && typed.unit == ":1") typed.unit.clear();
+  if (question.pointer == kRatio && typed.unit == ":1") typed.unit.clear();
   for (const char* word : {kOfPhase, kOfTerminals}) {
     if (question.pointer != "/motor/resistance_ohm" || !typed.unit.ends_with(word)) continue;
     typed.word = word;
@@ -92,7 +101,7 @@ constexpr double kFits = 0.07;
 /// The answers of one sheet, made into a document.
 class Sheet {
  public:
-  explicit Sheet(const SheetAnswers& answers) {
+  Sheet(const SheetAnswers& answers, std::filesystem::path folder) : folder_(std::move(folder)) {
     for (std::size_t i = 0; i < answers.size(); ++i) {
       if (answers[i].empty()) continue;
       known_[std::string(kSheetQuestions[i].pointer)] =
@@ -206,12 +215,24 @@ class Sheet {
     assume("/drive/modulation", "as most drives work");
   }
 
+  std::string gearbox_file() const { return has(kRatio) ? known_.at(kRatio).file : ""; }
+
+  /// As the document names it.
+  ordered_json gearbox_of_file() {
+    explanation_ += "/gearbox: ratio and losses are those of its teeth.\n";
+    const auto file = std::filesystem::absolute(gearbox_file());
+    return {{"file", std::filesystem::proximate(file, folder_).generic_string()}};
+  }
+
   void add_gearbox() {
-    document_["gearbox"] = {
-        {"ratio", has("/gearbox/ratio") ? value("/gearbox/ratio") : ordered_json(1)},
-        {"forward_efficiency", 1},
-        {"backward_efficiency", 1}};
-    if (!has("/gearbox/ratio")) return;
+    if (!gearbox_file().empty()) {
+      document_["gearbox"] = gearbox_of_file();
+      return;
+    }
+    document_["gearbox"] = {{"ratio", has(kRatio) ? value(kRatio) : ordered_json(1)},
+                            {"forward_efficiency", 1},
+                            {"backward_efficiency", 1}};
+    if (!has(kRatio)) return;
     assume("/gearbox/forward_efficiency", "no losses: sheets do not print them");
     assume("/gearbox/backward_efficiency", "the same");
   }
@@ -242,7 +263,11 @@ class Sheet {
                              {"peak_torque_Nm", value("/drive/peak_torque_Nm")},
                              {"no_load_speed_rad_s", value("/datasheet/no_load_speed_rad_s")}};
     put("envelope", "voltage_V", "/drive/bus_voltage_V");
-    if (has("/gearbox/ratio")) document_["gearbox"]["ratio"] = value("/gearbox/ratio");
+    if (!gearbox_file().empty()) {
+      document_["gearbox"] = gearbox_of_file();
+    } else if (has(kRatio)) {
+      document_["gearbox"]["ratio"] = value(kRatio);
+    }
     name_unused();
   }
 
@@ -257,6 +282,7 @@ class Sheet {
     if (!names.empty()) explanation_ += fmt::format("Not used: {}.\n", names);
   }
 
+  std::filesystem::path folder_;  ///< Where the document will be.
   std::map<std::string, Typed, std::less<>> known_;
   CurrentConvention convention_ = CurrentConvention::kDc;
   ordered_json document_{{"kind", "actuator"}, {"version", 1}};
@@ -266,6 +292,14 @@ class Sheet {
 
 /// In the place of a file's name.
 constexpr const char* kAnswer = "answer";
+
+/// As an actuator that names it would read it, from here.
+void check_gearbox(const std::string& file) {
+  const io::Document document{
+      kAnswer, "", {{"kind", "actuator"}, {"gearbox", {{"file", file}}}}, ""};
+  std::vector<io::Document> read;
+  (void)actuator::transmission_from_file(document.root["gearbox"], document, {}, read);
+}
 
 /// As the document is read.
 io::Document checked(std::string_view pointer, const Typed& typed) {
@@ -292,13 +326,16 @@ std::optional<std::string> sheet_objection(const SheetQuestion& question,
     return fmt::format("\"{}\" does not begin with a number, as {} does", answer, question.example);
   }
   try {
-    checked(question.pointer, *number);
+    if (!number->file.empty()) check_gearbox(number->file);
+    if (number->file.empty()) checked(question.pointer, *number);
   } catch (const io::SpecError& error) {
     return fmt::format("\"{}\": {}", answer, error.faults().front().message);
   }
   return std::nullopt;
 }
 
-SheetDocument sheet_document(const SheetAnswers& answers) { return Sheet(answers).document(); }
+SheetDocument sheet_document(const SheetAnswers& answers, const std::filesystem::path& folder) {
+  return Sheet(answers, folder).document();
+}
 
 }  // namespace torquewright::cli

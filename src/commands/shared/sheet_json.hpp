@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "src/commands/shared/sheet_questions.hpp"
@@ -18,8 +19,9 @@ struct SheetDocument {
   std::string explanation;  ///< What was assumed and why, a line each.
 };
 
-/// A winding where the answers give one, else the curve of peak torque and no-load speed. Throws
-/// io::SpecError where they give neither, which says what is missing.
-SheetDocument sheet_document(const SheetAnswers& answers);
+/// A winding where the answers give one, else the curve of peak torque and no-load speed; it will
+/// be in `folder`, from which it names a gearbox. Throws io::SpecError where they give neither,
+/// which says what is missing.
+SheetDocument sheet_document(const SheetAnswers& answers, const std::filesystem::path& folder);
 
 }  // namespace torquewright::cli

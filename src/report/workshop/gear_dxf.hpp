@@ -14,8 +14,7 @@ namespace torquewright::report {
 /// leave, no chord farther than 0.2 micrometre from its curve; a ring's blank, the bore for a
 /// hollow shaft, the middle; its pitch circle on the layer PITCH; its data and what is measured on
 /// the layer DATA. Gears that have no outline (too few or too many teeth, pointed tips) are their
-/// tip and root circles, which their data say. Throws io::SpecError where there is no memory for
-/// it.
+/// tip and root circles, which their data say.
 std::string gear_dxf(const DrawingLayout& layout, const std::vector<GearData>& data);
 
 /// Where the middle of each gear lies in that file [mm].
