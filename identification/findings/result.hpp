@@ -33,6 +33,7 @@ struct RunResult {
   /// Measured and predicted values. A curve of many points is thinned to the least and the greatest
   /// of equal shares.
   Curve measured, stated, refined;
+  Curve left_before, left_after;  ///< Measured less predicted, likewise.
 };
 
 /// What an effect is a property of: the actuator, the rig or the log.

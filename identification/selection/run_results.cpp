@@ -127,6 +127,8 @@ std::vector<RunResult> run_results(const ForwardEquation& equation, const Rows& 
     run.result.measured = curve_of(run, measured);
     run.result.stated = curve_of(run, stated);
     run.result.refined = curve_of(run, refined);
+    run.result.left_before = curve_of(run, sign * before);
+    run.result.left_after = curve_of(run, sign * after);
     results.push_back(std::move(run.result));
   }
   return results;

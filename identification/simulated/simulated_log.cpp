@@ -222,6 +222,7 @@ std::vector<double> simulated_quantity(Quantity quantity, const actuator::Actuat
       return std::vector<double>(count, 1.0);
     case Quantity::kRun:
     case Quantity::kCommandedPosition:
+    case Quantity::kFeedforwardTorque:
       break;
   }
   return {};

@@ -12,12 +12,13 @@
   const slider = byId("time");
   const play = byId("play");
   const speed = byId("speed");
+  const number = (x, digits = 4) => (x === null ? "none" : String(Number(x.toPrecision(digits))));
+  const view = typeof turningView === "function" ? turningView(data, number) : null;
   let now = 0; // The sample that is shown.
   let playing = null; // The clock's time at which the motion's first instant would have been.
   let speaking = 0;
 
   const value = (name) => columns[name][now];
-  const number = (x, digits = 4) => (x === null ? "none" : String(Number(x.toPrecision(digits))));
 
   /** The sample nearest to a time; of two alike, after an impact. */
   function sampleAt(time) {
@@ -56,10 +57,12 @@
 
   /** From a contact point along the ground's force on it. */
   function arrowPath([x, y], contact) {
-    const dx = value(contact.x) * data.paper_per_N;
-    const dy = -value(contact.z) * data.paper_per_N;
-    const length = Math.hypot(dx, dy);
+    const { greatest_N, power, longest_paper } = data.force;
+    const size_N = Math.hypot(value(contact.x), value(contact.z));
+    const length = longest_paper * (size_N / greatest_N) ** power;
     if (!(length > 1)) return "";
+    const dx = (value(contact.x) * length) / size_N;
+    const dy = (-value(contact.z) * length) / size_N;
     const head = Math.min(9, length / 2) / length;
     const [tipX, tipY] = [x + dx, y + dy];
     const side = (sign) =>
@@ -128,6 +131,7 @@
     now = Math.max(0, Math.min(last, sample));
     const active = violated();
     drawRobot(active);
+    if (view) view.show(now, new Set(active.flatMap((violation) => violation.bodies)));
     all("svg.chart .moves").forEach(drawMark);
     for (const cell of all("[data-column]")) {
       cell.textContent = number(value(cell.dataset.column));

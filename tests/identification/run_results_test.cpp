@@ -57,6 +57,13 @@ TEST(RunResults, SayWhatEachModelLeavesOfEachRun) {
       EXPECT_NEAR(run.measured.value[i] - run.stated.value[i], 0.5, 0.05);
       EXPECT_NEAR(run.measured.value[i] - run.refined.value[i], 0.0, 0.05);
     }
+    ASSERT_FALSE(run.left_before.value.empty());
+    for (const double left : run.left_before.value) {
+      if (!std::isnan(left)) EXPECT_NEAR(left, 0.5, 0.05);
+    }
+    for (const double left : run.left_after.value) {
+      if (!std::isnan(left)) EXPECT_NEAR(left, 0.0, 0.05);
+    }
   }
   EXPECT_DOUBLE_EQ(worst_held_out, torque.after.holdout_rms);
 }
@@ -94,6 +101,9 @@ TEST(RunResults, HaveTheDrivesChannelOnItsOwnSideOfThePrediction) {
     for (std::size_t i = 0; i < run.measured.value.size(); ++i) {
       if (std::isnan(run.measured.value[i])) continue;  // A rest: the line ends.
       EXPECT_NEAR(run.measured.value[i] - run.stated.value[i], 0.5, 0.05);
+    }
+    for (const double left : run.left_before.value) {
+      if (!std::isnan(left)) EXPECT_NEAR(left, 0.5, 0.05);
     }
   }
 }

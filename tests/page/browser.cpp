@@ -31,8 +31,8 @@ struct Pipe {
 };
 
 /// In the child: never returns. Both pipes are first moved out of the way of 3 and 4.
-[[noreturn]] void become_browser(const fs::path& program, const fs::path& profile, int in,
-                                 int out) {
+[[noreturn]] void become_browser(const fs::path& program, const fs::path& profile, int in, int out,
+                                 Browser::Depth depth) {
   const int quiet = ::open("/dev/null", O_RDWR);
   const int in_kept = ::fcntl(in, F_DUPFD, 10);
   const int out_kept = ::fcntl(out, F_DUPFD, 10);
@@ -40,15 +40,17 @@ struct Pipe {
   ::dup2(quiet, STDERR_FILENO);
   ::dup2(in_kept, 3);
   ::dup2(out_kept, 4);
-  std::vector<std::string> words{program.string(),
-                                 "--headless",
-                                 "--no-sandbox",
-                                 "--disable-gpu",
-                                 "--no-first-run",
-                                 "--disable-background-networking",
-                                 "--disable-dev-shm-usage",
-                                 "--remote-debugging-pipe",
-                                 "--user-data-dir=" + profile.string()};
+  std::vector<std::string> words{
+      program.string(),
+      "--headless",
+      "--no-sandbox",
+      "--disable-gpu",
+      "--no-first-run",
+      "--disable-background-networking",
+      "--disable-dev-shm-usage",
+      "--remote-debugging-pipe",
+      "--user-data-dir=" + profile.string(),
+      depth == Browser::Depth::kNone ? "--disable-3d-apis" : "--enable-unsafe-swiftshader"};
   std::vector<char*> arguments;
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
@@ -70,14 +72,14 @@ fs::path chromium() {
   return {};
 }
 
-Browser::Browser() {
+Browser::Browser(Depth depth) {
   const fs::path program = chromium();
   const Pipe commands;
   const Pipe answers;
   process_ = ::fork();
   if (process_ < 0) throw std::runtime_error("no process");
   if (process_ == 0) {
-    become_browser(program, profile_.path(), commands.ends[0], answers.ends[1]);
+    become_browser(program, profile_.path(), commands.ends[0], answers.ends[1], depth);
   }
   ::close(commands.ends[0]);
   ::close(answers.ends[1]);
@@ -120,7 +122,10 @@ void Browser::note_event(const json& message) {
   if (method == "Network.requestWillBeSent") {
     requests_.push_back(message["params"]["request"]["url"]);
   }
-  if (method == "Runtime.exceptionThrown" || method == "Log.entryAdded") {
+  // How fast the processor draws is no complaint about the page.
+  const bool is_of_drawing =
+      method == "Log.entryAdded" && message["params"]["entry"].value("source", "") == "rendering";
+  if (method == "Runtime.exceptionThrown" || (method == "Log.entryAdded" && !is_of_drawing)) {
     complaints_.push_back(message["params"].dump());
   }
 }
@@ -192,6 +197,31 @@ void Browser::click(double x, double y) {
     call("Input.dispatchMouseEvent",
          {{"type", type}, {"x", x}, {"y", y}, {"button", "left"}, {"clickCount", 1}});
   }
+}
+
+void Browser::drag(double from_x, double from_y, double to_x, double to_y) {
+  const auto mouse = [this](const char* type, double x, double y, int buttons) {
+    call("Input.dispatchMouseEvent", {{"type", type},
+                                      {"x", x},
+                                      {"y", y},
+                                      {"button", "left"},
+                                      {"buttons", buttons},
+                                      {"clickCount", 1}});
+  };
+  mouse("mousePressed", from_x, from_y, 1);
+  for (int i = 1; i <= 4; ++i) {
+    mouse("mouseMoved", from_x + i * (to_x - from_x) / 4, from_y + i * (to_y - from_y) / 4, 1);
+  }
+  mouse("mouseReleased", to_x, to_y, 0);
+}
+
+void Browser::point(double x, double y) {
+  call("Input.dispatchMouseEvent", {{"type", "mouseMoved"}, {"x", x}, {"y", y}});
+}
+
+void Browser::prefer_dark(bool dark) {
+  call("Emulation.setEmulatedMedia",
+       {{"features", {{{"name", "prefers-color-scheme"}, {"value", dark ? "dark" : "light"}}}}});
 }
 
 bool Browser::wait_for(const std::string& expression) {

@@ -19,8 +19,10 @@ std::filesystem::path chromium();
 /// messages of JSON that end in a zero byte, to its descriptor 3, from its descriptor 4).
 class Browser {
  public:
+  /// Whether the browser draws in three dimensions, with the processor.
+  enum class Depth { kWebGl, kNone };
   /// Requires that there is one.
-  Browser();
+  explicit Browser(Depth depth = Depth::kWebGl);
   ~Browser();
   Browser(const Browser&) = delete;
   Browser& operator=(const Browser&) = delete;
@@ -35,6 +37,11 @@ class Browser {
   void press(const std::string& key);
   /// The left button, at that place of the window.
   void click(double x, double y);
+  /// The left button down at one place, moved, and up at another.
+  void drag(double from_x, double from_y, double to_x, double to_y);
+  /// The pointer moved there, no button down.
+  void point(double x, double y);
+  void prefer_dark(bool dark);
   /// Until the expression is true. False: not within ten seconds.
   bool wait_for(const std::string& expression);
 

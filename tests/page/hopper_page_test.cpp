@@ -291,7 +291,7 @@ TEST_F(HopperPage, RunsNothingOutOfNames) {
   EXPECT_EQ(browser().value_of(
                 "JSON.parse(document.getElementById('motion').textContent).drives[1].name"),
             hostile);
-  EXPECT_EQ(browser().value_of("document.querySelectorAll('script').length"), 2);
+  EXPECT_EQ(browser().value_of("document.querySelectorAll('script').length"), 4);
 }
 
 }  // namespace

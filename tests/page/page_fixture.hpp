@@ -14,11 +14,13 @@ namespace torquewright::page_test {
 /// writes its page in SetUpTestSuite(); where no Chromium is installed its tests are skipped.
 class WrittenPage : public testing::Test {
  protected:
-  /// Runs a command that writes page.html into place(), once files are there that it reads.
-  static void write_page(const std::vector<std::string>& command) {
+  /// Runs a command that writes page.html into place(), once files are there that it reads. What is
+  /// not about the view that turns is tested without it: it is drawn by the processor here.
+  static void write_page(const std::vector<std::string>& command,
+                         Browser::Depth depth = Browser::Depth::kNone) {
     const auto outcome = place_->run(command);
     ASSERT_EQ(outcome.exit_code, 1) << outcome.err;
-    browser_ = std::make_unique<Browser>();
+    browser_ = std::make_unique<Browser>(depth);
   }
   /// False where there is no browser, and nothing is to be written.
   static bool has_browser() {

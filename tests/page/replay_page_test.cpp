@@ -140,7 +140,7 @@ TEST_F(ReplayPage, AsksNoNetworkRunsNothingOutOfNamesAndFits) {
   EXPECT_TRUE(browser().complaints().empty()) << browser().complaints().front();
   EXPECT_EQ(browser().value_of("typeof window.injected"), "undefined");
   EXPECT_EQ(browser().value_of("document.querySelectorAll('img').length"), 0);
-  EXPECT_EQ(browser().value_of("document.querySelectorAll('script').length"), 2);
+  EXPECT_EQ(browser().value_of("document.querySelectorAll('script').length"), 4);
   EXPECT_LE(browser().value_of("document.documentElement.scrollWidth").get<int>(), 390);
 }
 

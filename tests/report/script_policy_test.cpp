@@ -9,7 +9,7 @@ namespace {
 // Oracle: printf "alert('Hello, world.');" | openssl dgst -sha256 -binary | base64, the example of
 // the W3C's recommendation "Content Security Policy Level 2".
 TEST(ScriptPolicy, LetsOneScriptRunAndAsksNoNetwork) {
-  const std::string policy = script_policy("alert('Hello, world.');");
+  const std::string policy = script_policy({"alert('Hello, world.');"});
   EXPECT_NE(policy.find("script-src 'sha256-qznLcsROx4GACP2dm0UCKCzCG+HiZ1guq6ZZDob/Tng='"),
             std::string::npos)
       << policy;

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
 
 #include "src/report/actuator/region_lines.hpp"
 
@@ -26,6 +28,71 @@ std::string axes() {
          "set xlabel 'speed in rad/s' offset 0,0.4\nset ylabel 'torque in Nm'\n"
          "set border linecolor rgb '#555555'\nset tics nomirror\n"
          "set datafile separator ','\n";
+}
+
+/// Where torque and speed have one sign the drive drives, else it brakes. Above the shade.
+std::string quadrant_names() {
+  std::string script = "set grid front linecolor rgb '#c3cbd3' linewidth 0.7 linetype 1\n";
+  for (const auto& [x, y, side, words] : {std::tuple{0.985, 0.965, "right", "driving"},
+                                          {0.015, 0.965, "left", "braking"},
+                                          {0.015, 0.035, "left", "driving"},
+                                          {0.985, 0.035, "right", "braking"}}) {
+    script += fmt::format("set label '{}' at graph {},{} {} front textcolor rgb '#49566b'\n", words,
+                          x, y, side);
+  }
+  return script;
+}
+
+using Bound = JointBound JointRange::*;
+
+/// Rows of a bound at which its line bends where its limiter changes, and the ends of the region.
+std::vector<std::size_t> corners_of(const MorTable& table, Bound bound) {
+  std::vector<std::size_t> filled;
+  for (std::size_t i = 0; i < table.rows.size(); ++i) {
+    if (!table.rows[i].range.is_empty) filled.push_back(i);
+  }
+  std::vector<std::size_t> corners;
+  if (filled.size() < 2) return corners;
+  const auto torque_Nm = [&](std::size_t k) {
+    return (table.rows[filled[k]].range.*bound).torque_Nm;
+  };
+  const auto slope = [&](std::size_t k) {
+    return (torque_Nm(k) - torque_Nm(k - 1)) /
+           (table.rows[filled[k]].speed_rad_s - table.rows[filled[k - 1]].speed_rad_s);
+  };
+  for (std::size_t k = 1; k < filled.size(); ++k) {
+    const auto limiter = [&](std::size_t at) {
+      return (table.rows[filled[at]].range.*bound).limiter;
+    };
+    if (limiter(k) == limiter(k - 1)) continue;
+    // The row before the change is the corner itself where the line bends there already.
+    const bool bends_before =
+        k > 1 && std::abs(slope(k) - slope(k - 1)) > 1e-6 * (std::abs(slope(k)) + 1e-9);
+    corners.push_back(filled[bends_before ? k - 1 : k]);
+  }
+  const bool is_upper = bound == &JointRange::greatest;
+  corners.push_back(is_upper ? filled.front() : filled.back());
+  return corners;
+}
+
+/// Corners of a region with their values, written inside it.
+std::string corner_values(const MorTable& table) {
+  constexpr std::size_t kMostCorners = 5;  // of a bound: more would hide it
+  std::string script;
+  for (const Bound bound : {&JointRange::greatest, &JointRange::least}) {
+    const std::vector<std::size_t> corners = corners_of(table, bound);
+    if (corners.size() > kMostCorners) continue;
+    for (const std::size_t row : corners) {
+      const double speed_rad_s = table.rows[row].speed_rad_s;
+      const double torque_Nm = (table.rows[row].range.*bound).torque_Nm;
+      script += fmt::format(
+          "set label '{:.4g} Nm at {:.3g} rad/s' at {:.9g},{:.9g} {} front point pointtype 7 "
+          "pointsize 0.9 offset {},{} font ',11'\n",
+          torque_Nm, speed_rad_s, speed_rad_s, torque_Nm, speed_rad_s > 0.0 ? "right" : "left",
+          speed_rad_s > 0.0 ? -1.8 : 1.8, bound == &JointRange::greatest ? -1.0 : 1.0);
+    }
+  }
+  return script;
 }
 
 /// Room around all that is drawn, so that no bound lies on the frame.
@@ -117,6 +184,8 @@ std::string region_plot(PlotFormat format, const std::string& title,
   std::string script = gnuplot_terminal(format, kRegionWidth, kRegionHeight) + axes();
   script += "set title " + gnuplot_quoted(title) + "\n";
   script += "set key below horizontal spacing 1.3\nset bmargin 8\nset rmargin 4\n";
+  script += quadrant_names();
+  if (!regions.empty()) script += corner_values(regions.front().table);
   Extent extent;
   std::vector<std::string> plots;
   std::vector<std::string> keys;

@@ -11,6 +11,7 @@
 #include "src/report/identification/identification_runs_html.hpp"
 #include "src/report/identification/identification_verdict.hpp"
 #include "src/report/identification/robot_html.hpp"
+#include "src/report/parts/embedded_page.hpp"
 #include "src/report/parts/html_page.hpp"
 #include "src/report/parts/svg.hpp"
 
@@ -244,10 +245,11 @@ std::string head(const Identification& found, const IdentificationContext& conte
   std::string text = fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
-      "<title>{0}</title>\n<style>{1}</style>\n</head>\n<body>\n<main>\n<section>\n<h1>{0} <span "
+      "<title>{0}</title>\n<style>{1}{3}{4}</style>\n</head>\n<body>\n<main>\n<section>\n<h1>{0} "
+      "<span "
       "class=\"badge "
       "{2}\">{2}</span></h1>\n",
-      escaped(title), kPageStyle, verdict);
+      escaped(title), kPageStyle, verdict, kHopperStyle, kResidualStyle);
   text += paragraph(verdict_sentence(found, context.select));
   const std::string not_asked = not_asked_sentence(found);
   if (!not_asked.empty()) text += paragraph(not_asked);

@@ -129,21 +129,6 @@ std::string panel_script(const Panel& panel, std::size_t index, const std::strin
   return script + "\n";
 }
 
-/// In their own order, no more than fit.
-std::vector<const RunResult*> strips_of(const EquationResult& equation) {
-  std::vector<const RunResult*> runs;
-  for (const RunResult& run : equation.runs) runs.push_back(&run);
-  if (runs.size() <= kMostStrips) return runs;
-  const auto comes_first = [](const RunResult* a, const RunResult* b) {
-    if (a->is_held_out != b->is_held_out) return a->is_held_out;
-    return a->rms_after > b->rms_after;
-  };
-  std::stable_sort(runs.begin(), runs.end(), comes_first);
-  runs.resize(kMostStrips);
-  std::sort(runs.begin(), runs.end());
-  return runs;
-}
-
 /// Times count from the run's beginning; a gap is an empty line.
 std::string curve_block(const std::string& name, const identification::Curve& curve,
                         double begin_s) {
@@ -229,10 +214,22 @@ std::string waterfall_plot(const EquationResult& equation) {
   return script;
 }
 
-std::size_t plotted_runs(const EquationResult& equation) { return strips_of(equation).size(); }
+std::vector<const RunResult*> shown_runs(const EquationResult& equation) {
+  std::vector<const RunResult*> runs;
+  for (const RunResult& run : equation.runs) runs.push_back(&run);
+  if (runs.size() <= kMostStrips) return runs;
+  const auto comes_first = [](const RunResult* a, const RunResult* b) {
+    if (a->is_held_out != b->is_held_out) return a->is_held_out;
+    return a->rms_after > b->rms_after;
+  };
+  std::stable_sort(runs.begin(), runs.end(), comes_first);
+  runs.resize(kMostStrips);
+  std::sort(runs.begin(), runs.end());
+  return runs;
+}
 
 std::string run_plot(const EquationResult& equation) {
-  const std::vector<const RunResult*> strips = strips_of(equation);
+  const std::vector<const RunResult*> strips = shown_runs(equation);
   if (strips.empty()) return "";
   const bool is_refined = !equation.added.empty() || !equation.corrected.empty();
   std::string script = gnuplot_terminal(PlotFormat::kSvg, kTracesWidth,

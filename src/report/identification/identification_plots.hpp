@@ -22,7 +22,8 @@ std::string structure_plot(const identification::EquationResult& equation,
 /// those of which most is left. Empty where there are none.
 std::string run_plot(const identification::EquationResult& equation);
 
-/// How many runs it shows.
-std::size_t plotted_runs(const identification::EquationResult& equation);
+/// The runs that it shows.
+std::vector<const identification::RunResult*> shown_runs(
+    const identification::EquationResult& equation);
 
 }  // namespace torquewright::report

@@ -8,8 +8,11 @@
 
 namespace torquewright::report {
 
-/// Part of a page: measured and predicted over time, and the error in each run. Empty where an
-/// equation has no runs of its own.
+/// Of its charts, after the stylesheet of pages with charts.
+extern const char* const kResidualStyle;
+
+/// Part of a page: measured and predicted over time, what is left of each run before and after, and
+/// its error. Empty where an equation has no runs of its own.
 std::string runs_section(const identification::EquationResult& equation, Pictures& pictures);
 
 }  // namespace torquewright::report

@@ -18,6 +18,7 @@
 #include "src/report/robot/cursor_player.hpp"
 #include "src/report/robot/hopper_charts.hpp"
 #include "src/report/robot/time_charts.hpp"
+#include "src/report/turning/view_json.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -63,16 +64,15 @@ std::vector<Index> kept_rows(const ShownRun& run, double begin_s) {
   return cursor_samples({times.begin(), times.end()}, columns, wanted, kMostCursorSamples);
 }
 
-/// Of a contact point's forces; 0: the ground never pressed.
-double arrow_force_N(const ReplayPage& page) {
+/// Of a contact point's forces at all instants.
+ForceScale arrow_scale(const ReplayPage& page) {
   std::vector<double> forces_N;
   for (const hopper::RecordRow& row : page.record.rows) {
     for (Index i = 0; i + 2 < row.impulses_N_s.size(); i += 3) {
-      const double force_N = row.impulses_N_s.segment<3>(i).norm() / page.record.control_period_s;
-      if (force_N > 0.0) forces_N.push_back(force_N);
+      forces_N.push_back(row.impulses_N_s.segment<3>(i).norm() / page.record.control_period_s);
     }
   }
-  return usual_greatest_N(std::move(forces_N));
+  return force_scale(std::move(forces_N));
 }
 
 MovingFigure replayed_figure(const ReplayPage& page, const ShownRun& run,
@@ -83,7 +83,7 @@ MovingFigure replayed_figure(const ReplayPage& page, const ShownRun& run,
     moved.planned.push_back(run.planned[static_cast<std::size_t>(row)]);
   }
   moved.ground_m = page.report.options.run.ground_height_m;
-  moved.greatest_force_N = arrow_force_N(page);
+  moved.force = arrow_scale(page);
   return moving_figure(moved);
 }
 
@@ -102,10 +102,32 @@ CursorSource replay_cursor(const ReplayPage& page, const ShownRun& run,
                              outside_column(name)});
   }
   for (const hopper::ContactPoint& contact : page.robot.contacts) {
-    cursor.forces.push_back({contact.name + "_mean_force_x_N", contact.name + "_mean_force_z_N"});
-    cursor.headers.insert(cursor.headers.end(), {cursor.forces.back().x, cursor.forces.back().z});
+    cursor.forces.push_back({contact.name + "_mean_force_x_N", contact.name + "_mean_force_y_N",
+                             contact.name + "_mean_force_z_N"});
+    const ForceColumns& force = cursor.forces.back();
+    cursor.headers.insert(cursor.headers.end(), {force.x, force.y, force.z});
   }
   return cursor;
+}
+
+/// Of both motions at these rows.
+TurningView replayed_view(const ReplayPage& page, const ShownRun& run,
+                          const std::vector<Index>& rows, const ForceScale& scale,
+                          const CursorSource& cursor) {
+  const auto count = std::ssize(rows);
+  Eigen::MatrixXd is(page.robot.tree.position_size(), count);
+  Eigen::MatrixXd should(page.robot.tree.position_size(), count);
+  hopper::ReferenceInstant goal;
+  for (Index i = 0; i < count; ++i) {
+    const hopper::RecordRow& row =
+        page.record.rows[static_cast<std::size_t>(rows[static_cast<std::size_t>(i)])];
+    page.reference.at(row.time_s, goal);
+    is.col(i) = row.position;
+    should.col(i) = goal.position;
+  }
+  return turning_view(
+      {page.robot, run.series, rows, cursor.forces, scale, page.report.options.run.ground_height_m},
+      is, should);
 }
 
 std::string replay_player(const ReplayPage& page, const ShownRun& run) {
@@ -134,20 +156,21 @@ std::string replay_values(const ReplayPage& page, const ShownRun& run) {
 }
 
 std::string replay_stage(const ReplayPage& page, const ShownRun& run,
-                         const std::vector<Index>& rows, const MovingFigure& figure) {
+                         const std::vector<Index>& rows, const MovingFigure& figure,
+                         const TurningView& view) {
   const Index begin = row_at(column(run.series, "time_s"), begin_time_s(page));
   const auto pose = std::lower_bound(rows.begin(), rows.end(), begin) - rows.begin();
-  return "<div class=\"stage\">\n<figure>\n" +
-         figure_svg(page.robot.name +
-                        " from the side at the time of the cursor, as planned and "
-                        "as it was",
-                    figure, static_cast<std::size_t>(pose), run.violations) +
-         legend(line_key("bone", "the robot, from the side") +
-                line_key("bone planned", "as planned") + dot_key("mass", "centre of mass") +
-                line_key("bone bad", "its bodies where torque was cut off") +
-                line_key("force", "force of the ground")) +
-         (figure.follows ? "<p class=\"soft\">The view goes along with the robot.</p>\n" : "") +
-         "</figure>\n" + replay_values(page, run) + "</div>\n" + motion_charts(run);
+  return "<div class=\"stage\">\n" +
+         view_figure(page.robot.name, view,
+                     figure_svg(page.robot.name +
+                                    " from the side at the time of the cursor, as planned and "
+                                    "as it was",
+                                figure, static_cast<std::size_t>(pose), run.violations),
+                     line_key("bone", "the robot") + line_key("bone planned", "as planned") +
+                         dot_key("mass", "centre of mass") +
+                         line_key("bone bad", "its bodies where torque was cut off") +
+                         line_key("force", figure.force.words())) +
+         replay_values(page, run) + "</div>\n" + motion_charts(run);
 }
 
 }  // namespace
@@ -165,17 +188,20 @@ std::string replay_html(const ReplayPage& page) {
     const ShownRun run = shown_run(page);
     const std::vector<Index> rows = kept_rows(run, begin_time_s(page));
     const MovingFigure figure = replayed_figure(page, run, rows);
+    CursorSource cursor = replay_cursor(page, run, rows, figure);
+    const TurningView view = replayed_view(page, run, rows, figure.force, cursor);
+    add_view(page.robot, view, cursor);
     text += replay_player(page, run) + ends;
-    text += page_section("The motion", replay_stage(page, run, rows, figure));
+    text += page_section("The motion", replay_stage(page, run, rows, figure, view));
     text += page_section("Drives", replayed_drives_table(page) + drive_charts(page, run));
     text += page_section("Supply and ground", supply_and_ground_charts(page, run));
-    numbers = cursor_json(replay_cursor(page, run, rows, figure));
+    numbers = cursor_json(cursor);
   } else {
     text += ends;
   }
   text += page_section("Loads of the transmissions", loads_table(page));
   text += page_section("Findings", replay_findings_table(page));
-  return text + cursor_page_end(numbers);
+  return text + cursor_page_end(numbers, !numbers.empty());
 }
 
 }  // namespace torquewright::report

@@ -3,39 +3,31 @@
 
 #include <fmt/format.h>
 
-#include <vector>
-
 #include "io/files/sha256.hpp"
+#include "src/report/parts/base64.hpp"
 
 namespace torquewright::report {
 namespace {
 
-/// RFC 4648, of hexadecimal digits.
-std::string base64_of_hex(const std::string& hex) {
-  constexpr std::string_view kDigits =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  unsigned held = 0;
-  int bits = 0;
-  for (const char digit : hex) {
-    held = (held << 4U) | static_cast<unsigned>(std::stoi(std::string(1, digit), nullptr, 16));
-    bits += 4;
-    if (bits < 6) continue;
-    bits -= 6;
-    text += kDigits[(held >> static_cast<unsigned>(bits)) & 63U];
+std::string bytes_of_hex(const std::string& hex) {
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < hex.size(); i += 2) {
+    bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
   }
-  if (bits > 0) text += kDigits[(held << static_cast<unsigned>(6 - bits)) & 63U];
-  while (text.size() % 4 != 0) text += '=';
-  return text;
+  return bytes;
 }
 
 }  // namespace
 
-std::string script_policy(std::string_view script) {
+std::string script_policy(const std::vector<std::string_view>& scripts) {
+  std::string sources;
+  for (const std::string_view script : scripts) {
+    sources += fmt::format(" 'sha256-{}'", base64(bytes_of_hex(io::sha256(script))));
+  }
   return fmt::format(
-      "default-src 'none'; style-src 'unsafe-inline'; script-src 'sha256-{}'; base-uri 'none'; "
+      "default-src 'none'; style-src 'unsafe-inline'; script-src{}; base-uri 'none'; "
       "form-action 'none'",
-      base64_of_hex(io::sha256(script)));
+      sources);
 }
 
 }  // namespace torquewright::report

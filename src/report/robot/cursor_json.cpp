@@ -6,28 +6,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "src/report/parts/page_json.hpp"
 #include "src/report/parts/svg.hpp"
+#include "src/report/turning/view_json.hpp"
 
 namespace torquewright::report {
 namespace {
 
 using Eigen::Index;
-
-/// In ASCII, without what HTML reads as the begin of something; U+2028 becomes an escape as well.
-std::string as_json(const std::string& text) {
-  std::string json =
-      nlohmann::json(text).dump(-1, ' ', true, nlohmann::json::error_handler_t::replace);
-  for (const char character : {'<', '>', '&'}) {
-    const std::string escape = fmt::format("\\u{:04x}", static_cast<int>(character));
-    for (std::size_t at = json.find(character); at != std::string::npos;
-         at = json.find(character, at)) {
-      json.replace(at, 1, escape);
-    }
-  }
-  return json;
-}
 
 std::string list(const std::vector<std::string>& items) {
   return fmt::format("[{}]", fmt::join(items, ","));
@@ -51,7 +38,7 @@ std::string columns(const CursorSource& source) {
   for (const std::string& header : source.headers) {
     const Eigen::VectorXd* column = hopper::find_column(source.series, header);
     if (column == nullptr) continue;
-    items.push_back(as_json(header) + ":" +
+    items.push_back(json_in_page(header) + ":" +
                     values(*column, source.samples, header == "time_s" ? 8 : 5));
   }
   return fmt::format("{{{}}}", fmt::join(items, ",\n"));
@@ -70,10 +57,10 @@ std::string violations(const std::vector<ShownViolation>& shown) {
   for (const ShownViolation& violation : shown) {
     std::string rule = violation.rule;
     std::replace(rule.begin(), rule.end(), '-', ' ');
-    items.push_back(
-        fmt::format("{{\"name\":{},\"rule\":{},\"bodies\":[{}],\"worst_s\":{:.8g},\"times\":{}}}",
-                    as_json(violation.name), as_json(rule), fmt::join(violation.bodies, ","),
-                    violation.worst_s, intervals(violation.times)));
+    items.push_back(fmt::format(
+        "{{\"name\":{},\"rule\":{},\"bodies\":[{}],\"worst_s\":{:.8g},\"times\":{}}}",
+        json_in_page(violation.name), json_in_page(rule), fmt::join(violation.bodies, ","),
+        violation.worst_s, intervals(violation.times)));
   }
   return list(items);
 }
@@ -82,8 +69,8 @@ std::string drives(const CursorSource& source) {
   std::vector<std::string> items;
   for (const SpokenDrive& drive : source.drives) {
     items.push_back(fmt::format("{{\"name\":{},\"torque\":{},\"speed\":{},\"outside\":{}}}",
-                                as_json(drive.name), as_json(drive.torque), as_json(drive.speed),
-                                as_json(drive.outside)));
+                                json_in_page(drive.name), json_in_page(drive.torque),
+                                json_in_page(drive.speed), json_in_page(drive.outside)));
   }
   return list(items);
 }
@@ -117,18 +104,32 @@ std::string figure_keys(const CursorSource& source, const MovingFigure& figure) 
     const bool has_force = i < source.forces.size();
     contacts.push_back(fmt::format("{{\"point\":{},\"x\":{},\"z\":{}}}",
                                    figure.skeleton.contacts[i],
-                                   has_force ? as_json(source.forces[i].x) : "null",
-                                   has_force ? as_json(source.forces[i].z) : "null"));
+                                   has_force ? json_in_page(source.forces[i].x) : "null",
+                                   has_force ? json_in_page(source.forces[i].z) : "null"));
   }
   return fmt::format(
-      ",\n\"points\":{},\n\"mass\":{},\n\"contacts\":{},\n\"paper_per_N\":{:.6g}",
+      ",\n\"points\":{},\n\"mass\":{},\n\"contacts\":{},\n\"force\":{{\"greatest_N\":{:.6g},"
+      "\"power\":{},\"longest_paper\":{:.6g},\"longest_m\":{:.6g}}}{}",
       fmt::format("[{}]", fmt::join(points, ",\n")),
       way(figure.poses,
           [](const Pose& pose) -> const Eigen::Vector2d& { return pose.center_of_mass_m; }),
-      list(contacts), figure.per_N);
+      list(contacts), figure.force.greatest_N, figure.force.power(), figure.longest,
+      source.longest_m, source.view.empty() ? "" : ",\n\"view\":" + source.view);
 }
 
 }  // namespace
+
+void add_view(const hopper::Robot& robot, const TurningView& view, CursorSource& source) {
+  source.view = view_json(robot, view);
+  source.longest_m = view.longest_m;
+  for (const std::vector<ToldValue>& body : view.told) {
+    for (const ToldValue& value : body) {
+      const auto& known = source.headers;
+      if (std::find(known.begin(), known.end(), value.column) != known.end()) continue;
+      source.headers.push_back(value.column);
+    }
+  }
+}
 
 std::string cursor_json(const CursorSource& source) {
   return fmt::format(

@@ -6,6 +6,7 @@
 
 #include "hopper/check/series.hpp"
 #include "src/report/robot/stick_figures.hpp"
+#include "src/report/turning/turning_view.hpp"
 
 namespace torquewright::report {
 
@@ -15,12 +16,6 @@ struct SpokenDrive {
   std::string torque;
   std::string speed;
   std::string outside;  ///< Not zero where the torque lies outside the drive's region.
-};
-
-/// The columns of the ground's force on a contact point.
-struct ForceColumns {
-  std::string x;
-  std::string z;
 };
 
 /// What the page's script moves its marks by.
@@ -33,7 +28,12 @@ struct CursorSource {
   std::vector<std::string> headers = {};  ///< What of the series; those that are not there: none.
   std::vector<SpokenDrive> drives = {};
   std::vector<ForceColumns> forces = {};  ///< By contact point; empty: none is known.
+  std::string view = {};                  ///< JSON of the turning view (view_json).
+  double longest_m = 0.0;                 ///< In that: the arrow of the greatest force.
 };
+
+/// Adds the view, and the columns that its pointer tells of. Requires the view's figure.
+void add_view(const hopper::Robot& robot, const TurningView& view, CursorSource& source);
 
 /// The source as JSON that may stand inside an HTML element: names hold no character that could end
 /// it.

@@ -17,16 +17,20 @@ std::string cursor_page_begin(const std::string& title, const std::string& furth
       "<meta http-equiv=\"Content-Security-Policy\" content=\"{}\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n"
       "<title>{}</title>\n<style>{}{}{}</style>\n</head>\n<body>\n<main>\n",
-      script_policy(kHopperScript), escaped(title), kPageStyle, kHopperStyle, further_style);
+      script_policy({kThreeScript, kTurningScript, kHopperScript}), escaped(title), kPageStyle,
+      kHopperStyle, further_style);
 }
 
-std::string cursor_page_end(const std::string& numbers) {
+std::string cursor_page_end(const std::string& numbers, bool turns) {
   std::string script;
   if (!numbers.empty()) {
     script = fmt::format(
-        "<script type=\"application/json\" id=\"motion\">{}</script>\n"
-        "<script>{}</script>\n",
-        numbers, kHopperScript);
+        "<script type=\"application/json\" id=\"motion\">{}</script>\n{}<script>{}</script>\n",
+        numbers,
+        turns ? fmt::format("<script>{}</script>\n<script>{}</script>\n", kThreeScript,
+                            kTurningScript)
+              : "",
+        kHopperScript);
   }
   return fmt::format("<p class=\"soft\">torquewright {}</p>\n</main>\n{}</body>\n</html>\n",
                      io::tool_version(), script);

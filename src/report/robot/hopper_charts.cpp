@@ -284,6 +284,17 @@ void add_sums(const HopperPage& page, hopper::Series& series) {
   series.push_back({"cav_rad_s", demand.angular_velocity_rad_s.colwise().norm().transpose()});
 }
 
+void add_joint_positions(const HopperPage& page, hopper::Series& series) {
+  const dynamics::Tree& tree = page.robot.tree;
+  const Index first = tree.position_size() - std::ssize(tree.bodies) + 1;
+  for (std::size_t body = 1; body < tree.bodies.size(); ++body) {
+    const dynamics::Joint& joint = tree.bodies[body].joint;
+    const bool turns = joint.kind == dynamics::JointKind::kRevolute;
+    series.push_back({fmt::format("{}_position_{}", joint.name, turns ? "rad" : "m"),
+                      page.motion.positions.row(first + static_cast<Index>(body) - 1).transpose()});
+  }
+}
+
 std::string region_charts(const ChartSource& source) {
   std::string charts;
   std::set<actuator::Limiter> limiters;

@@ -22,6 +22,8 @@ std::string outside_column(const std::string& drive);
 std::string gear_column(const HopperPage& page, std::size_t drive);
 /// Sums over all contacts and sizes of vectors, as further columns of a series.
 void add_sums(const HopperPage& page, hopper::Series& series);
+/// Positions of the joints, likewise.
+void add_joint_positions(const HopperPage& page, hopper::Series& series);
 
 /// One chart a drive, each with axes of its own, and what its colours mean. Empty without drives.
 std::string region_charts(const ChartSource& source);

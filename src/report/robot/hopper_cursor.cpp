@@ -18,7 +18,8 @@ std::vector<std::string> shown_headers(const ChartSource& source) {
     names.push_back(gear_column(source.page, i));
   }
   for (const hopper::ContactPoint& contact : source.page.robot.contacts) {
-    for (const char* what : {"_force_x_N", "_force_z_N"}) names.push_back(contact.name + what);
+    for (const char* what : {"_force_x_N", "_force_y_N", "_force_z_N"})
+      names.push_back(contact.name + what);
   }
   names.insert(names.end(),
                {"ground_up_N", "ground_forward_N", "in_flight", "cam_Nm_s", "cav_rad_s"});
@@ -37,7 +38,8 @@ CursorSource hopper_cursor(const ChartSource& source, const std::vector<Eigen::I
   }
   if (!source.page.report.demand.has_dynamics) return cursor;
   for (const hopper::ContactPoint& contact : source.page.robot.contacts) {
-    cursor.forces.push_back({contact.name + "_force_x_N", contact.name + "_force_z_N"});
+    cursor.forces.push_back(
+        {contact.name + "_force_x_N", contact.name + "_force_y_N", contact.name + "_force_z_N"});
   }
   return cursor;
 }

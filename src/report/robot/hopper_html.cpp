@@ -15,6 +15,7 @@
 #include "src/report/robot/cursor_page.hpp"
 #include "src/report/robot/hopper_cursor.hpp"
 #include "src/report/robot/moments.hpp"
+#include "src/report/turning/view_json.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -110,6 +111,7 @@ class Page {
         series_(hopper::series_of(page.robot, page.motion, page.options, page.report,
                                   hopper::SeriesDetail::kDrives)) {
     add_sums(page_, series_);
+    add_joint_positions(page_, series_);
     violations_ = shown_violations(page_, series_);
     samples_ = kept();
     if (page_.motion.has_base) figure_ = moving_figure(page_, samples_);
@@ -117,9 +119,15 @@ class Page {
 
   std::string html(const PageHead& head) const {
     const ChartSource source{page_, series_, violations_};
+    CursorSource cursor = hopper_cursor(source, samples_, figure_ ? &*figure_ : nullptr, begin_s());
+    std::optional<TurningView> view;
+    if (figure_) {
+      view = turned(cursor);
+      add_view(page_.robot, *view, cursor);
+    }
     std::string text =
         cursor_page_begin(head.title, "") + head.sections + cursor_player(hopper_track(source));
-    text += page_section("The motion", stage(source));
+    text += page_section("The motion", stage(source, view ? &*view : nullptr));
     text += page_section("Torque and speed in each region",
                          drives_table(page_) + region_charts(source));
     text += page_section("Torque over time", torque_charts(source));
@@ -127,8 +135,7 @@ class Page {
     text += page_section("The whole body", body_charts(source));
     text += page_section("Candidates", candidates_table(page_));
     text += page_section("Findings", findings_table(page_));
-    return text + cursor_page_end(cursor_json(
-                      hopper_cursor(source, samples_, figure_ ? &*figure_ : nullptr, begin_s())));
+    return text + cursor_page_end(cursor_json(cursor), view.has_value());
   }
 
  private:
@@ -154,18 +161,21 @@ class Page {
     return cursor_samples(motion.times_s, columns, wanted, kMostCursorSamples);
   }
 
-  std::string stage(const ChartSource& source) const {
+  TurningView turned(const CursorSource& cursor) const {
+    return turning_view({page_.robot, series_, samples_, cursor.forces, figure_->force,
+                         page_.options.contact.ground_height_m},
+                        page_.motion.positions(Eigen::all, samples_), Eigen::MatrixXd());
+  }
+
+  std::string stage(const ChartSource& source, const TurningView* view) const {
     std::string text = "<div class=\"stage\">\n";
-    if (figure_) {
-      text +=
-          "<figure>\n" +
-          figure_svg(page_.robot.name + " from the side, at the time of the cursor", *figure_,
-                     begin_pose(), violations_) +
-          legend(dot_key("mass", "centre of mass") + line_key("bone", "the robot, from the side") +
-                 line_key("bone bad", "its bodies where something is violated") +
-                 line_key("force", "force of the ground")) +
-          (figure_->follows ? "<p class=\"soft\">The view goes along with the robot.</p>\n" : "") +
-          "</figure>\n";
+    if (view != nullptr) {
+      text += view_figure(page_.robot.name, *view,
+                          figure_svg(page_.robot.name + " from the side, at the time of the cursor",
+                                     *figure_, begin_pose(), violations_),
+                          dot_key("mass", "centre of mass") + line_key("bone", "the robot") +
+                              line_key("bone bad", "its bodies where something is violated") +
+                              line_key("force", figure_->force.words()));
     }
     text += hopper_values(source) + "</div>\n";
     const std::string stills = still_figures(page_, violations_);

@@ -143,15 +143,6 @@ std::string still(const Skeleton& skeleton, const Pose& pose, const Moment& mome
       phase, text, when);
 }
 
-double greatest_force_N(const HopperPage& page) {
-  double greatest_N = 0.0;
-  const Eigen::MatrixXd& forces_N = page.report.demand.forces_N;
-  for (Index row = 0; row + 2 < forces_N.rows(); row += 3) {
-    greatest_N = std::max(greatest_N, forces_N.middleRows(row, 3).colwise().norm().maxCoeff());
-  }
-  return greatest_N;
-}
-
 }  // namespace
 
 std::string stick_figures(const HopperPage& page) {
@@ -189,6 +180,16 @@ std::string still_figures(const HopperPage& page, const std::vector<ShownViolati
   return text + "</div>\n";
 }
 
+ForceScale force_scale(const HopperPage& page) {
+  std::vector<double> all_N;
+  const Eigen::MatrixXd& forces_N = page.report.demand.forces_N;
+  for (Index row = 0; row + 2 < forces_N.rows(); row += 3) {
+    const Eigen::VectorXd norms_N = forces_N.middleRows(row, 3).colwise().norm();
+    all_N.insert(all_N.end(), norms_N.begin(), norms_N.end());
+  }
+  return force_scale(std::move(all_N));
+}
+
 MovingFigure moving_figure(const MovedPoses& moved) {
   MovingFigure figure;
   figure.skeleton = moved.skeleton;
@@ -208,9 +209,8 @@ MovingFigure moving_figure(const MovedPoses& moved) {
   figure.width = view.width();
   figure.height = view.height();
   figure.ground = view.ground();
-  if (moved.greatest_force_N > 0.0) {
-    figure.per_N = kArrowShare * figure.height / moved.greatest_force_N;
-  }
+  figure.force = moved.force;
+  figure.longest = kArrowShare * figure.height;
   return figure;
 }
 
@@ -218,7 +218,7 @@ MovingFigure moving_figure(const HopperPage& page, const std::vector<Index>& sam
   const Skeleton skeleton = skeleton_of(page.robot);
   MovedPoses moved{skeleton, poses_at(page.robot, page.motion, skeleton, samples)};
   moved.ground_m = page.options.contact.ground_height_m;
-  moved.greatest_force_N = greatest_force_N(page);
+  moved.force = force_scale(page);
   return moving_figure(moved);
 }
 

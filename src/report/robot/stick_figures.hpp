@@ -7,6 +7,7 @@
 #include "src/report/parts/skeleton.hpp"
 #include "src/report/robot/hopper_page.hpp"
 #include "src/report/robot/shown_violations.hpp"
+#include "src/report/turning/force_scale.hpp"
 
 namespace torquewright::report {
 
@@ -25,22 +26,25 @@ struct MovingFigure {
   std::vector<Pose> planned;  ///< What should have been, beside each; empty: nothing is drawn.
   double width = 0.0;
   double height = 0.0;
-  double ground = 0.0;   ///< On paper.
-  double per_N = 0.0;    ///< Of the arrows of forces.
+  double ground = 0.0;  ///< On paper.
+  ForceScale force;
+  double longest = 0.0;  ///< Of the arrow of the greatest force.
   bool follows = false;  ///< The view goes with the robot: its way is too long.
 };
-/// What a moving figure is made of, poses in metres; an arrow of the greatest force is about half
+/// What a moving figure is made of, poses in metres; the arrow of the greatest force is about half
 /// the figure high.
 struct MovedPoses {
   Skeleton skeleton;
   std::vector<Pose> poses;
   std::vector<Pose> planned = {};  ///< As many, or none.
   double ground_m = 0.0;
-  double greatest_force_N = 0.0;
+  ForceScale force = {};
 };
 MovingFigure moving_figure(const MovedPoses& moved);
 /// Requires that the motion says how the base moves.
 MovingFigure moving_figure(const HopperPage& page, const std::vector<Eigen::Index>& samples);
+/// Of all forces of the ground in a checked motion.
+ForceScale force_scale(const HopperPage& page);
 
 /// The figure as an SVG element, as it stands at one of its poses; the script moves it on.
 /// `title` is what a screen reader says in its place.
