@@ -101,6 +101,14 @@ double Commands::at(std::size_t joint, double time_s) const {
   return targets[static_cast<std::size_t>(std::clamp(packet, 0.0, last))];
 }
 
+double Commands::mean(std::size_t joint, double from_s, double to_s) const {
+  const double before = at(joint, from_s), after = at(joint, to_s);
+  if (before == after) return before;
+  const double change_s = packet_s * std::floor(to_s / packet_s + 1e-6);
+  const double share = std::clamp((to_s - change_s) / (to_s - from_s), 0.0, 1.0);
+  return before + share * (after - before);
+}
+
 double Commands::duration_s() const {
   return packet_s * static_cast<double>(targets_rad.front().size());
 }
@@ -146,13 +154,13 @@ void Plant::start_at(const std::vector<double>& position_rad) {
 }
 
 double Plant::measured_rad(std::size_t joint) const {
-  const Axis& axis = axes_[joint];
-  return data_->qpos[axis.laws.slips() ? axis.rotor : axis.dof];
+  return data_->qpos[measured_dof(axes_[joint])];
 }
 
-double Plant::measured_rad_s(std::size_t joint) const {
-  const Axis& axis = axes_[joint];
-  return data_->qvel[axis.laws.slips() ? axis.rotor : axis.dof];
+// MuJoCo's speeds belong to the middle of the last step: its positions leap over them.
+double Plant::speed_rad_s(const Axis& axis) const {
+  const int dof = measured_dof(axis);
+  return data_->qvel[dof] + 0.5 * model_->opt.timestep * data_->qacc[dof];
 }
 
 // Spring and damper between rotor and output, beyond half the gap; a belt passes no more than its
@@ -184,10 +192,9 @@ void Plant::set_friction(const Axis& axis) {
 
 void Plant::drive(Axis& axis, double command_rad) {
   const Laws& laws = axis.laws;
-  const int measured = laws.slips() ? axis.rotor : axis.dof;
   const double asked =
       laws.torque_factor *
-      axis.controller.torque_Nm(command_rad, data_->qpos[measured], data_->qvel[measured]);
+      axis.controller.torque_Nm(command_rad, data_->qpos[measured_dof(axis)], speed_rad_s(axis));
   const double share = laws.lag_s > 0 ? 1 - std::exp(-model_->opt.timestep / laws.lag_s) : 1;
   axis.motor_Nm += share * (asked - axis.motor_Nm);
   data_->qfrc_applied[axis.rotor >= 0 ? axis.rotor : axis.dof] += axis.motor_Nm;
@@ -254,10 +261,11 @@ Energy Plant::energy() {
   return {data_->energy[1], data_->energy[0]};
 }
 
-Record play(const Scene& scene, const Commands& commands, double row_s) {
+Record play(const Scene& scene, const Commands& commands, double row_s, int finer) {
   bool elastic = false;
   for (const auto& [name, laws] : scene.laws) elastic = elastic || laws.is_elastic();
-  const int steps_per_row = static_cast<int>(std::lround(row_s / (elastic ? 1e-4 : 2.5e-4)));
+  const int steps_per_row =
+      static_cast<int>(std::lround(row_s / (elastic ? 1e-4 : 2.5e-4))) * finer;
   const double step_s = row_s / steps_per_row;
   Plant plant(scene, step_s);
   const std::size_t joints = plant.joints();
@@ -276,7 +284,9 @@ Record play(const Scene& scene, const Commands& commands, double row_s) {
     const double time_s = static_cast<double>(s) * step_s;
     if (s % steps_per_row == 0) record.time_s.push_back(time_s);
     for (std::size_t k = 0; k < joints; ++k) {
-      command[k] = commands.at(k, time_s - late[k]);
+      // A step's torque acts from half a step before to half a step after its instant.
+      const double sent_s = time_s - late[k];
+      command[k] = commands.mean(k, sent_s - step_s / 2, sent_s + step_s / 2);
       if (s % steps_per_row != 0) continue;
       record.position_rad[k].push_back(plant.measured_rad(k));
       record.speed_rad_s[k].push_back(plant.measured_rad_s(k));

@@ -28,6 +28,8 @@ struct Commands {
   std::vector<std::vector<double>> targets_rad;  ///< By joint that moves, in order.
 
   double at(std::size_t joint, double time_s) const;
+  /// Mean over a time that is shorter than a packet.
+  double mean(std::size_t joint, double from_s, double to_s) const;
   double duration_s() const;
 };
 
@@ -54,7 +56,7 @@ class Plant {
   std::size_t joints() const { return axes_.size(); }
   /// As the drive's encoder has it: of the rotor where a belt slips.
   double measured_rad(std::size_t joint) const;
-  double measured_rad_s(std::size_t joint) const;
+  double measured_rad_s(std::size_t joint) const { return speed_rad_s(axes_[joint]); }
   double motor_torque_Nm(std::size_t joint) const { return axes_[joint].motor_Nm; }
   Energy energy();
   const mjModel& model() const { return *model_; }
@@ -68,6 +70,8 @@ class Plant {
     double motor_Nm = 0, gear_Nm = 0, slipped_rad = 0;
   };
 
+  int measured_dof(const Axis& axis) const { return axis.laws.slips() ? axis.rotor : axis.dof; }
+  double speed_rad_s(const Axis& axis) const;
   void drive(Axis& axis, double command_rad);
   void twist(Axis& axis);
   void set_friction(const Axis& axis);
@@ -81,7 +85,8 @@ class Plant {
   std::vector<double> inertial_;
 };
 
-/// Plays the commands from rest at the first of them; `row_s` apart.
-Record play(const Scene& scene, const Commands& commands, double row_s);
+/// Plays the commands from rest at the first of them; `row_s` apart. Steps are 0.25 ms, with a
+/// spring between rotor and output 0.1 ms, over `finer`.
+Record play(const Scene& scene, const Commands& commands, double row_s, int finer = 1);
 
 }  // namespace torquewright::oracles::robot_bench

@@ -110,6 +110,21 @@ TEST(RobotBenchPlant, FreeArmKeepsItsEnergy) {
   EXPECT_NEAR(coarse / fine, 2, 0.3);
 }
 
+// Convergence: what the steps leave is a small part of the finest encoder's noise, so that "none"
+// lacks nothing; packets come at instants that no step meets.
+TEST(RobotBenchPlant, StepsAreFineEnough) {
+  Scene scene = one_joint(Eigen::Vector3d::UnitY());
+  scene.controllers["swing"] = {150, 6, kNever};
+  scene.laws["swing"].viscous_Nm_s_rad[0] = scene.laws["swing"].viscous_Nm_s_rad[1] = 0.1;
+  Draws draws(3);
+  Commands commands = draw_motion(draws, scene.robot, 1.5, 0.005, 1);
+  commands.delay_s = 0.00317;
+  const Record coarse = play(scene, commands, 0.01), fine = play(scene, commands, 0.01, 8);
+  const double finest_floor_rad = 2 * std::numbers::pi / 65536 / std::sqrt(12);
+  for (std::size_t k = 0; k < coarse.time_s.size(); ++k)
+    EXPECT_NEAR(coarse.position_rad[0][k], fine.position_rad[0][k], 0.1 * finest_floor_rad);
+}
+
 // Closed form: the loop holds k (c - q) = m g l sin q.
 TEST(RobotBenchPlant, LoopSagsUnderWeight) {
   Scene scene = one_joint(Eigen::Vector3d::UnitY());
