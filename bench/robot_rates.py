@@ -21,6 +21,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from foreign_rates import tolerated_names, wilson  # noqa: E402
 
 LOAD = "(load)"
+STRENGTH = ("certain", "group", "doubted", "missed")
 OUTCOMES = ("right", "group", "doubted", "missed", "wrong name", "wrong joint", "refused")
 
 
@@ -74,11 +75,10 @@ def strays(truth, report, claims):
     for names, joints in truths_of(truth):
         for joint in joints:
             names_at.setdefault(joint, set()).update(names)
-    allowed_load = {"/load/roll_rad", "/load/pitch_rad"} if truth["base_roll_rad"] else set()
+    tolerated = tolerated_names(truth, report) | set(base_of(truth))
     wrong_names, wrong_joints = [], []
-    tolerated = tolerated_names(truth, report)
     for joint, name, how, _ in claims:
-        if how != "certain" or name in tolerated or (joint == LOAD and (truth.get("load") or name in allowed_load)):
+        if how != "certain" or name in tolerated or (joint == LOAD and truth.get("load")):
             continue
         if joint == LOAD and any(name in names for names, _ in truths_of(truth)):
             continue  # a controller's value that all joints share
@@ -92,14 +92,28 @@ def strays(truth, report, claims):
     return wrong_names, wrong_joints
 
 
+def base_of(truth):
+    """How the base hangs, where the rig calls it uncertain, by pointer."""
+    if not truth["base_roll_rad"]:
+        return {}
+    return {"/load/roll_rad": truth["base_roll_rad"], "/load/pitch_rad": truth["base_pitch_rad"]}
+
+
+def attitude_within(truth, claims):
+    """Corrected attitudes of the base, and those within three standard errors of the truth."""
+    base = base_of(truth)
+    given = [(entry["value"] - base[name], entry["standard_error"])
+             for _, name, how, entry in claims if how == "certain" and name in base]
+    return len(given), sum(abs(off) <= 3 * error for off, error in given)
+
+
 def found_as(names, joints, claims):
     """The weakest way in which one effect is named over all its joints."""
-    order = ("certain", "group", "doubted", "missed")
     worst = "certain"
     for joint in joints:
         ways = [how for place, name, how, _ in claims if name in names and place in (joint, LOAD)]
-        best = min(ways, key=order.index, default="missed")
-        worst = max(worst, best, key=order.index)
+        best = min(ways, key=STRENGTH.index, default="missed")
+        worst = max(worst, best, key=STRENGTH.index)
     return worst
 
 
@@ -125,9 +139,8 @@ def judge(truth, report):
     elif truth["class"] in ("none", "outside", "gantry"):
         outcome = "right"
     else:
-        outcome = {"certain": "right"}.get(max(ways, key=("certain", "group", "doubted",
-                                                          "missed").index))
-        outcome = outcome or max(ways, key=("certain", "group", "doubted", "missed").index)
+        weakest = max(ways, key=STRENGTH.index)
+        outcome = "right" if weakest == "certain" else weakest
     return outcome, ways, wrong_names + wrong_joints, claims
 
 
@@ -219,6 +232,8 @@ def line_of(truth, report, verdict, more, hits, seconds):
     what = what or str(truth.get("load", truth.get("outside", {})).get("kind", "-"))
     where = truth.get("load", {}).get("body") or ",".join(truth.get("outside", {}).get("joints", []))
     sizes = ",".join(f"{size:.0f}" for size in truth["size_floors"])
+    claims = [claim for claim in claims if claim[1] != "velocity_mismatch"]
+    claims.sort(key=lambda claim: (*STRENGTH, "body").index(claim[2]))
     told = "; ".join(f"{joint}:{name} ({how})" for joint, name, how, _ in claims[:8])
     simulated = report.get("simulated") or {}
     errors = [shown((simulated.get(key) or {}).get("holdout_rms")) for key in ("before", "after")]
@@ -237,7 +252,7 @@ def main():
     first, count = int(sys.argv[4]), int(sys.argv[5])
     root = sys.argv[6] if len(sys.argv) > 6 else tempfile.mkdtemp()
     totals = dict.fromkeys(OUTCOMES, 0)
-    values = within = by_value = named_place = 0
+    values = within = by_value = named_place = blamed = attitudes = true_attitudes = 0
     all_seconds = []
     for seed in range(first, first + count):
         folder = os.path.join(root, f"{kind}_{seed}")
@@ -258,6 +273,9 @@ def main():
         totals[verdict[0]] += 1
         more, hits = parameters_within(truth, verdict[3])
         values, within = values + more, within + hits
+        given, true = attitude_within(truth, verdict[3])
+        attitudes, true_attitudes = attitudes + given, true_attitudes + true
+        blamed += not truth.get("load") and bool(report.get("load", {}).get("errors"))
         moved = set(values_moved(report))
         by_value += bool(truth["effects"]) and all(
             f"{joint}:{each['effect']}" in moved
@@ -270,7 +288,8 @@ def main():
         print(f"{kind} {key}: {hits} of {count} = {100 * hits / count:.0f} % "
               f"({100 * low:.0f} to {100 * high:.0f})")
     print(f"{kind}: parameters within 3 errors {within} of {values}; fitted by simulation to other "
-          f"than stated, right effect and joint, {by_value}; outside: unexplained at its joint "
+          f"than stated, right effect and joint, {by_value}; bodies blamed that are as stated {blamed}; "
+          f"attitude of the base within 3 errors {true_attitudes} of {attitudes}; outside: unexplained at its joint "
           f"{named_place}; CPU s {min(all_seconds):.0f} to {max(all_seconds):.0f}")
     return 0
 

@@ -75,12 +75,19 @@ std::vector<std::string> names_for(const Situation& it) {
   return names;
 }
 
+/// Of dry and viscous laws at one joint only the sum is there.
+bool is_drag(const std::string& name) {
+  return name == "coulomb_friction" || name == "viscous_friction" ||
+         name == "asymmetric_friction" || name == "stribeck_friction";
+}
+
 bool add_effect(Draws& draws, Situation& it, const std::vector<std::string>& joints) {
   const std::string name = draws.one_of(names_for(it));
   const Flavour flavour = draw_flavour(draws);
   const double target = draw_target(draws);
   for (const Effect& one : it.missing)
-    if (one.name == name) return false;
+    if (one.name == name || (one.joints == joints && is_drag(one.name) && is_drag(name)))
+      return false;
   const Laws& stated = it.stated.laws.at(joints.front());
   if (it.truth.laws.at(joints.front()).is_elastic()) return false;
   const auto effect = [&](double scale) {
