@@ -125,6 +125,7 @@ class RigReader {
                                   report("/load" + key, std::move(message));
                                 });
     for (std::size_t body = 1; body < robot_.tree.bodies.size(); ++body) {
+      if (robot_.held_rad.contains(body)) continue;
       robot_joints_.push_back(robot_.tree.bodies[body].joint.name);
     }
   }
@@ -398,7 +399,7 @@ class RigReader {
   const json& root_;
   json first_load_ = json::object();  ///< Of those that stand in the document.
   RobotLoad robot_;
-  std::vector<std::string> robot_joints_;
+  std::vector<std::string> robot_joints_;  ///< Those that move: a pattern means no other.
   Rig rig_;
   std::vector<io::Fault> faults_;
 };

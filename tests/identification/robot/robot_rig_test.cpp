@@ -100,6 +100,16 @@ TEST(RobotRig, SaysWhatIsToBeFoundOfControllers) {
       << refusal_of(rig);
 }
 
+// Oracle: the same rig with its columns written out.
+TEST(RobotRig, PatternsPassByWhatIsHeld) {
+  json rig = test::leg_rig_json();
+  rig["load"]["held_rad"] = {{"hip_joint", 0.1}};
+  const Rig found = read(rig);
+  EXPECT_EQ(found.joints, (std::vector<std::string>{"thigh_joint", "calf_joint"}));
+  EXPECT_EQ(found.load.robot->bodies, (std::vector<std::size_t>{2, 3}));
+  EXPECT_EQ(found.columns.size(), 1u + 2u * 2u);
+}
+
 // Oracle: the same rig with the load written into it.
 TEST(StatedRobot, IsTheLoadOfARigThatSaysNone) {
   const test::ScratchFolder folder;
