@@ -164,6 +164,19 @@ RobotModel begin_of_gains(const Log& log, const RobotModel& model) {
   return best;
 }
 
+/// The fit of gains was held to where it began; what documents state of them is told as such.
+void tell_stated_gains(const RobotModel& stated, ValueFit& fit) {
+  for (FittedValue& value : fit.values) {
+    const bool is_gain = value.which.of == FreeValue::Of::kStiffness ||
+                         value.which.of == FreeValue::Of::kDamping ||
+                         value.which.of == FreeValue::Of::kDelay;
+    if (!is_gain) continue;
+    const bool is_unknown = value.which.of == FreeValue::Of::kStiffness &&
+                            !stated.controllers[value.which.joint].states_stiffness;
+    if (!is_unknown) value.stated = value_in(stated, value.which);
+  }
+}
+
 }  // namespace
 
 RobotStudy study_robot(const Rig& rig, const Log& log, const RobotModel& stated,
@@ -204,6 +217,7 @@ RobotStudy study_robot(const Rig& rig, const Log& log, const RobotModel& stated,
   study.load = load_errors(stated, study.fit);
   study.base = base_motion(log, study.fit.model);
   study.trade_offs = find_trade_offs(study.fit);
+  tell_stated_gains(stated, study.fit);
   return study;
 }
 
