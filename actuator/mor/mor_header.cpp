@@ -14,7 +14,7 @@ std::string friction_sentence(const MorHeader& header) {
   const std::optional<Envelope>& envelope = header.actuator->envelope;
   if (envelope && envelope->includes_losses) return "all: the curve is what leaves the joint";
   const Transmission& gear = header.actuator->transmission;
-  std::string sentence = fmt::format("gearbox efficiencies {} driving, {} back-driven",
+  std::string sentence = fmt::format("gearbox efficiencies {:.4g} driving, {:.4g} back-driven",
                                      gear.forward_efficiency, gear.backward_efficiency);
   for (const Effect& effect : header.actuator->effects) {
     const bool is_friction = effect.kind->acts == Acts::kDrag ||
