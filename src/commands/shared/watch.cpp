@@ -2,6 +2,7 @@
 #include "src/commands/shared/watch.hpp"
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstdio>
@@ -81,6 +82,7 @@ ExitCode watch(const std::function<ExitCode()>& work) {
     }
     watched = stamps_of_work(watched);
   }
+  if (isatty(STDERR_FILENO) == 1) std::fputs("\n", stderr);  // behind the ^C that is shown there
   return code;
 }
 
