@@ -50,7 +50,8 @@ std::optional<RoundedInterval> backward_expected(const Interpretation& interpret
 std::optional<RoundedInterval> declared_gap(const Interpretation& interpretation) {
   const std::vector<Effect>& effects = interpretation.document.effects;
   for (std::size_t i = 0; i < effects.size(); ++i) {
-    if (effects[i].kind->name != "backlash") continue;
+    const auto& parameters = effects[i].kind->parameters;
+    if (parameters.empty() || parameters.front().name != "gap_rad") continue;
     return rounded(effects[i].values[0], fmt::format("/effects/{}/parameters/gap_rad", i));
   }
   return std::nullopt;
@@ -58,8 +59,8 @@ std::optional<RoundedInterval> declared_gap(const Interpretation& interpretation
 
 }  // namespace
 
-const Check backlash = {
-    .rule = "backlash",
+const Check gear_backlash = {
+    .rule = "gear-backlash",
     .unit = "rad",
     .equation = "the gap of the declared effect",
     .demand = Demand::kEqual,

@@ -22,7 +22,7 @@ std::span<const Check* const> library() {
       &rated_torque_heat,
       &bus_voltage,
       &charge_voltage,
-      &backlash,
+      &gear_backlash,
       &gear_limit,
       &motor_against_gear,
       &backward_efficiency,

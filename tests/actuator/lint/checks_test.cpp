@@ -148,7 +148,7 @@ void with_no_load_current(Actuator& document, double number) {
 
 const Row kRows[] = {
     // 0.0035...0.0045
-    {"backlash", with_gap, 0.0034, 0.0035, 0.0045, 0.0046, Severity::kNote},
+    {"gear-backlash", with_gap, 0.0034, 0.0035, 0.0045, 0.0046, Severity::kNote},
     // 24 / (Kt 10): 19.1235...19.2771
     {"no-load-speed", on_sheet<&Datasheet::no_load_speed_rad_s>, 19.11, 19.12, 19.28, 19.29,
      Severity::kWarning, 0.9, 1.1},

@@ -237,7 +237,7 @@ TEST(StatementsInLint, HoldTheDeclaredGapAgainstTheSheetsBacklash) {
     document.datasheet->backlash_rad = arcmin * kArcmin_rad;
     document.statements = {
         bounded("/datasheet/backlash_rad", arcmin * kArcmin_rad, Bound::kAtMost)};
-    EXPECT_EQ(comparison(document, "backlash")->agrees, agrees) << arcmin;
+    EXPECT_EQ(comparison(document, "gear-backlash")->agrees, agrees) << arcmin;
     EXPECT_FALSE(has_contradiction(examine_all(std::vector{document}))) << arcmin;
   }
 }
