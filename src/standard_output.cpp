@@ -8,6 +8,7 @@
 #include "io/faults/spec_error.hpp"
 #include "io/files/print.hpp"
 #include "src/held_output.hpp"
+#include "src/loudness.hpp"
 #include "src/window_text.hpp"
 
 namespace torquewright::cli {
@@ -54,7 +55,8 @@ void deliver_report(const Report& report, const std::string& file, bool json_wan
       json_wanted || is_standard_output(file) || std::filesystem::path(file).extension() == ".json";
   if (file.empty() || is_document) {
     if (!file.empty()) beside.push_back({file, report.json});
-    return deliver(std::move(beside), json_wanted ? report.json : for_window(report.text));
+    return deliver(std::move(beside),
+                   json_wanted ? report.json : for_window(report.text, report.answer));
   }
   beside.push_back({file, report.text});
   deliver(std::move(beside), "");
@@ -63,6 +65,7 @@ void deliver_report(const Report& report, const std::string& file, bool json_wan
 
 void say_old_spelling(const std::string& file, const std::string& what,
                       const std::string& instead) {
+  if (loudness().is_quiet) return;
   std::fprintf(stderr,
                "note: -o %s writes %s in this version only; from the next one on, write %s\n",
                file.c_str(), what.c_str(), instead.c_str());

@@ -31,8 +31,9 @@ void deliver_result(const std::string& text, const std::string& file,
 
 /// A result in both of its shapes.
 struct Report {
-  std::string json;  ///< The document.
-  std::string text;  ///< For people.
+  std::string json;         ///< The document.
+  std::string text;         ///< For people.
+  std::string answer = {};  ///< What -q leaves of the text; empty: its first line.
 };
 
 /// The document to the file of -o, where one was named, and the text beside it to standard output,

@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "src/window_text.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <sstream>
 
+#include "io/documents/read_notes.hpp"
+#include "io/text/one_line.hpp"
 #include "src/held_output.hpp"
+#include "src/loudness.hpp"
+#include "src/verdict_colours.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -47,6 +53,23 @@ std::string broken_line(const std::string& line, std::size_t columns) {
   return text;
 }
 
+std::string first_line(const std::string& text) {
+  const std::size_t begin = std::min(text.find_first_not_of('\n'), text.size());
+  const std::size_t end = text.find('\n', begin);
+  return text.substr(begin, end == std::string::npos ? end : end + 1 - begin);
+}
+
+/// The documents that were read, and what each says that nobody published or measured.
+std::string assumptions_text() {
+  std::string text;
+  for (const io::ReadNote& note : io::read_notes()) {
+    text += fmt::format(
+        "read: {}, of kind {}; it assumes {}\n", io::one_line(note.file), note.kind,
+        note.assumed.empty() ? "nothing" : fmt::format("{}", fmt::join(note.assumed, ", ")));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::size_t window_columns() {
@@ -65,8 +88,13 @@ std::string broken_into(const std::string& text, std::size_t columns) {
   return broken;
 }
 
-std::string for_window(const std::string& text) {
-  return held_output() != nullptr ? text : broken_into(text, window_columns());
+std::string for_window(const std::string& text, const std::string& answer) {
+  std::string said = text;
+  if (loudness().is_quiet) said = answer.empty() ? first_line(text) : answer + "\n";
+  if (loudness().is_verbose) said += assumptions_text();
+  if (held_output() != nullptr) return said;
+  const std::string broken = broken_into(said, window_columns());
+  return shows_colours() ? with_colours(broken) : broken;
 }
 
 }  // namespace torquewright::cli

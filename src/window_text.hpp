@@ -13,7 +13,9 @@ std::size_t window_columns();
 /// text begins, behind a label or a number. Words stay whole. 0 columns: as it is.
 std::string broken_into(const std::string& text, std::size_t columns);
 
-/// The same for the window that standard output is.
-std::string for_window(const std::string& text);
+/// The same for the window that standard output is, with colours where it shows them. With -q its
+/// first line alone, or `answer` where that says more; with -v also the documents that were read
+/// and what they assume.
+std::string for_window(const std::string& text, const std::string& answer = "");
 
 }  // namespace torquewright::cli

@@ -14,7 +14,7 @@
 #include "actuator/trajectory/meant_columns.hpp"
 #include "io/files/csv.hpp"
 #include "io/text/nearest.hpp"
-#include "io/text/units.hpp"
+#include "io/text/unit_in_name.hpp"
 #include "io/text/wording.hpp"
 
 namespace torquewright::actuator {
@@ -29,16 +29,6 @@ Finding note(const char* rule, std::string sentence) {
   finding.rule = rule;
   finding.sentence = std::move(sentence);
   return finding;
-}
-
-/// The longest unit of that dimension that a name ends in: rad_s of knee_velocity_rad_s.
-std::optional<io::Unit> unit_in_name(const std::string& name, io::Dimension dimension) {
-  for (std::size_t mark = name.find('_'); mark != std::string::npos;
-       mark = name.find('_', mark + 1)) {
-    const std::optional<io::Unit> unit = io::find_unit(name.substr(mark + 1));
-    if (unit && unit->dimension == dimension) return unit;
-  }
-  return std::nullopt;
 }
 
 /// What the check makes of a header's columns.
@@ -137,7 +127,7 @@ std::vector<Finding> unit_findings(std::span<const MappingText> stated) {
   for (const MappingText& mapping : stated) {
     const std::optional<io::Unit> unit = io::find_unit(mapping.unit);
     if (!unit) continue;
-    const std::optional<io::Unit> own = unit_in_name(mapping.column, unit->dimension);
+    const std::optional<io::Unit> own = io::unit_in_name(mapping.column, unit->dimension);
     if (!own || own->in_SI == unit->in_SI) continue;
     findings.push_back(note("column-unit", fmt::format("\"{}\" is read in {}, as is stated, though "
                                                        "its name ends in {}",

@@ -195,6 +195,7 @@ std::optional<CommonFactor> common_factor(std::span<const Actuator> documents) {
   for (const Actuator& document : documents) {
     if (!stated_speed(document)) continue;
     const RoundedInterval factor = required_factor(document);
+    if (is_one_sided(factor)) continue;  // a bound of a speed needs no one factor
     common.required.push_back({document.name, factor, *stated_speed(document),
                                document.drive.peak_current_A, greatest_weakening(document),
                                tolerated_factors(document, factor), assumes_convention(document)});

@@ -23,6 +23,7 @@ extern const Check continuous_current;
 extern const Check rated_torque_heat;
 extern const Check bus_voltage;
 extern const Check charge_voltage;
+extern const Check gear_backlash;
 extern const Check gear_limit;
 extern const Check motor_against_gear;
 extern const Check backward_efficiency;

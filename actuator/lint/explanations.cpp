@@ -55,6 +55,7 @@ std::vector<Explanation> joined(std::vector<Explanation> list, std::vector<Expla
 /// Whole numbers that end in zeros may be targets of fewer figures: 20 as 15 to 25.
 void add_round_number(const Check& check, const RoundedInterval& stated,
                       const RoundedInterval& expected, std::vector<Explanation>& list) {
+  if (is_one_sided(stated)) return;
   if (stated.low == stated.high || std::fmod(stated.value, 10.0) != 0.0) return;
   double unit = 10.0;
   while (std::fmod(stated.value, 10.0 * unit) == 0.0) unit *= 10.0;

@@ -38,7 +38,8 @@ bool is_assumed(const Actuator& document, const std::string& pointer) {
 
 bool says_enough(const Actuator& document, const Constant& constant) {
   const Statement* statement = find_statement(document, constant.pointer);
-  return (statement != nullptr && statement->tolerance) || is_assumed(document, constant.pointer);
+  const bool is_said = statement != nullptr && (statement->tolerance || statement->bound);
+  return is_said || is_assumed(document, constant.pointer);
 }
 
 Finding note_on(const Actuator& document, const Constant& constant, const RoundedInterval& known) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace torquewright::actuator::lint {
 
@@ -13,7 +14,12 @@ double limit(const Finding& finding) {
 
 std::string with_interval(const RoundedInterval& interval, std::string_view unit) {
   std::string text = fmt::format("{:.4g}", interval.value);
-  if (interval.low != interval.high)
+  if (is_one_sided(interval)) {
+    text = std::isinf(interval.high) ? fmt::format("at least {:.4g}", interval.low)
+                                     : fmt::format("at most {:.4g}", interval.high);
+  } else if (std::isinf(interval.high)) {
+    return "anything";
+  } else if (interval.low != interval.high)
     text += fmt::format(" ({:.4g} to {:.4g})", interval.low, interval.high);
   return unit.empty() ? text : fmt::format("{} {}", text, unit);
 }

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "actuator/lint/every_check.hpp"
@@ -44,7 +46,32 @@ std::optional<RoundedInterval> backward_expected(const Interpretation& interpret
   return expected;
 }
 
+/// The gap of the declared effect, at the output as the data sheet's.
+std::optional<RoundedInterval> declared_gap(const Interpretation& interpretation) {
+  const std::vector<Effect>& effects = interpretation.document.effects;
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    const auto& parameters = effects[i].kind->parameters;
+    if (parameters.empty() || parameters.front().name != "gap_rad") continue;
+    return rounded(effects[i].values[0], fmt::format("/effects/{}/parameters/gap_rad", i));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+const Check gear_backlash = {
+    .rule = "gear-backlash",
+    .unit = "rad",
+    .equation = "the gap of the declared effect",
+    .demand = Demand::kEqual,
+    .weight = Weight::kPlausibility,
+    .stated =
+        [](const Actuator& document) {
+          return sheet_number(document, &Datasheet::backlash_rad, "backlash_rad");
+        },
+    .expected = declared_gap,
+    .interpreters = {},
+};
 
 const Check gear_limit = {
     .rule = "gear-limit",

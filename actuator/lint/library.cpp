@@ -22,6 +22,7 @@ std::span<const Check* const> library() {
       &rated_torque_heat,
       &bus_voltage,
       &charge_voltage,
+      &gear_backlash,
       &gear_limit,
       &motor_against_gear,
       &backward_efficiency,

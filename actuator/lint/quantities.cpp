@@ -79,10 +79,12 @@ double least_share_of_gears(const Actuator& document) {
 RoundedInterval printed(const Actuator& document, double value, const char* pointer) {
   const Statement* statement = find_statement(document, pointer);
   if (statement == nullptr) return rounded(value, pointer);
-  if (!statement->tolerance) return rounded(statement->printed, pointer);
+  if (!statement->tolerance && !statement->bound) return rounded(statement->printed, pointer);
   RoundedInterval interval = exact(statement->printed, pointer);
-  interval.low *= 1.0 - *statement->tolerance;
-  interval.high *= 1.0 + *statement->tolerance;
+  interval.low *= 1.0 - statement->tolerance.value_or(0.0);
+  interval.high *= 1.0 + statement->tolerance.value_or(0.0);
+  if (statement->bound == Bound::kAtLeast) interval.high = kUnlimited;
+  if (statement->bound == Bound::kAtMost) interval.low = 0.0;
   return interval;
 }
 
@@ -104,7 +106,8 @@ std::optional<RoundedInterval> sheet_condition(const Actuator& document, SheetKe
 
 RoundedInterval condition(const Actuator& document, double value, const char* pointer) {
   const Statement* statement = find_statement(document, pointer);
-  if (statement != nullptr && statement->tolerance) return printed(document, value, pointer);
+  const bool is_open = statement != nullptr && (statement->tolerance || statement->bound);
+  if (is_open) return printed(document, value, pointer);
   return exact(statement != nullptr ? statement->printed : value, pointer);
 }
 

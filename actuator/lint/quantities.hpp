@@ -15,7 +15,8 @@ namespace torquewright::actuator::lint {
 
 using SheetKey = std::optional<double> Datasheet::*;
 
-/// Returns a number as printed, within its rounding or the tolerance that is stated with it.
+/// Returns a number as printed, within its rounding or the tolerance that is stated with it; of one
+/// that is stated as a bound all that lies on its side.
 RoundedInterval printed(const Actuator& document, double value, const char* pointer);
 
 /// Returns the number as a condition at which something else is stated: exact but for a stated

@@ -39,6 +39,11 @@ RoundedInterval exact(double value, std::string pointer) {
   return interval;
 }
 
+bool is_one_sided(const RoundedInterval& interval) {
+  const bool has_no_end = std::isinf(interval.high);
+  return has_no_end != (interval.low <= 0.0 && interval.value > 0.0);
+}
+
 bool lies_above(const RoundedInterval& one, const RoundedInterval& other) {
   return one.low > other.high + slack(one.low, other.high);
 }

@@ -33,6 +33,9 @@ RoundedInterval rounded(double value, std::string pointer);
 /// stated.
 RoundedInterval exact(double value, std::string pointer = "");
 
+/// Whether only one end bounds the number: it is stated as a bound, or follows from one.
+bool is_one_sided(const RoundedInterval& interval);
+
 /// Whether some number lies in both intervals (to round-off).
 bool overlap(const RoundedInterval& one, const RoundedInterval& other);
 

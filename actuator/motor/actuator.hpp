@@ -37,6 +37,7 @@ struct Drive {
   double bus_voltage_V = 0.0;
   double peak_current_A = 0.0;
   std::optional<double> continuous_current_A;
+  double supply_current_A = kUnlimited;  ///< The most that it takes from the bus.
   Modulation modulation = Modulation::kSvpwm;
   bool field_weakening = false;
   bool regeneration = true;  ///< False: no power flows back to the bus.
@@ -104,10 +105,14 @@ struct Datasheet {
   std::optional<double> rated_torque_Nm;
   std::optional<double> peak_power_W;
   std::optional<double> velocity_constant_rpm_V;
+  std::optional<double> backlash_rad;  ///< The whole width, at the output.
   std::optional<double> reflected_inertia_kg_m2;
   std::optional<double> electrical_time_constant_s;
   std::optional<double> mechanical_time_constant_s;  ///< Of the rotor alone.
 };
+
+/// What a number is that its sheet prints behind > or <.
+enum class Bound { kAtLeast, kAtMost };
 
 /// What a document says of one of its numbers beside the number:
 /// {"value": 2.36, "side": "joint", "ampere": "rms", "tolerance": 0.1}.
@@ -118,6 +123,7 @@ struct Statement {
   std::optional<CurrentConvention> ampere;  ///< Else the torque constant's.
   std::optional<double> tolerance;          ///< Share of the number, either way.
   std::vector<double> also;                 ///< What other sources state in its place.
+  std::optional<Bound> bound = {};          ///< The true number lies on one side of it.
 };
 
 /// A document of kind `actuator`.

@@ -56,7 +56,7 @@ class ActuatorReader {
     if (root().contains("thermal")) read_thermal(root()["thermal"]);
     if (root().contains("datasheet")) read_datasheet(root()["datasheet"]);
     read_effects();
-    actuator_.assumed = root().value("assumed", actuator_.assumed);
+    read_assumed();
     read_gearbox();
     if (has_winding()) {
       carry();
@@ -159,6 +159,7 @@ class ActuatorReader {
     drive.bus_voltage_V = keys["bus_voltage_V"];
     drive.peak_current_A = find_stated("drive", "peak_current_A").value_or(kUnlimited);
     drive.continuous_current_A = find_stated("drive", "continuous_current_A");
+    drive.supply_current_A = keys.value("supply_current_A", kUnlimited);
     check_torques_for_currents(document(), faults_);
     if (keys.contains("modulation")) drive.modulation = modulation(keys["modulation"]);
     drive.field_weakening = keys.value("field_weakening", false);
@@ -237,12 +238,18 @@ class ActuatorReader {
     sheet.rated_torque_Nm = find_stated("datasheet", "rated_torque_Nm");
     sheet.peak_power_W = find_stated("datasheet", "peak_power_W");
     sheet.velocity_constant_rpm_V = find_stated("datasheet", "velocity_constant_rpm_V");
+    sheet.backlash_rad = find_stated("datasheet", "backlash_rad");
     sheet.reflected_inertia_kg_m2 = find_stated("datasheet", "reflected_inertia_kg_m2");
     sheet.electrical_time_constant_s = find_stated("datasheet", "electrical_time_constant_s");
     sheet.mechanical_time_constant_s = find_stated("datasheet", "mechanical_time_constant_s");
     if (keys.contains("stall_limit")) {
       sheet.stall_limit =
           keys["stall_limit"] == "drive" ? StallLimit::kDrive : StallLimit::kWinding;
+    }
+    const Statement* rated = find_statement(actuator_, "/datasheet/rated_torque_Nm");
+    if (rated != nullptr && rated->bound == Bound::kAtMost) {
+      report("/datasheet/rated_torque_Nm/bound",
+             "\"at_most\" names no torque that may last; a rating is a number, or \"at_least\"");
     }
     actuator_.datasheet = sheet;
   }
@@ -274,6 +281,18 @@ class ActuatorReader {
              fmt::format("{} is declared besides what replaces it and would be counted twice; "
                          "remove it",
                          replaced));
+    }
+  }
+
+  /// What is listed, and each bound that stands in the place of a number.
+  void read_assumed() {
+    actuator_.assumed = root().value("assumed", actuator_.assumed);
+    for (const std::string& pointer : taken_at_their_bounds(root())) {
+      const auto covers = [&](const std::string& listed) {
+        return pointer == listed || pointer.starts_with(listed + "/");
+      };
+      std::vector<std::string>& assumed = actuator_.assumed;
+      if (std::none_of(assumed.begin(), assumed.end(), covers)) assumed.push_back(pointer);
     }
   }
 

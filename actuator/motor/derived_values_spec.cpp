@@ -46,11 +46,14 @@ double constant_of_kv(double kv_rpm_V) { return 30.0 / (std::numbers::pi * kv_rp
 /// The torque constant that follows, with the tolerance that is stated.
 void take_kv(const json& kv, Actuator& actuator) {
   actuator.motor.torque_constant_Nm_A = constant_of_kv(number_of(kv));
-  if (!kv.is_object() || !kv.contains("tolerance")) return;
+  if (!kv.is_object() || !(kv.contains("tolerance") || kv.contains("bound"))) return;
   Statement statement;
   statement.pointer = kTorqueConstant;
   statement.printed = actuator.motor.torque_constant_Nm_A;
-  statement.tolerance = kv["tolerance"].get<double>();
+  if (kv.contains("tolerance")) statement.tolerance = kv["tolerance"].get<double>();
+  if (kv.contains("bound")) {  // its inverse
+    statement.bound = kv["bound"] == "at_least" ? Bound::kAtMost : Bound::kAtLeast;
+  }
   actuator.statements.push_back(std::move(statement));
 }
 
@@ -135,8 +138,24 @@ void take_torques_for_currents(const io::Document& document, Actuator& actuator,
   }
 }
 
-std::vector<std::string> derived_values(const io::Document& document, const Actuator& actuator) {
+namespace {
+
+/// Of numbers that the sheet bounds and the model needs.
+std::vector<std::string> bound_sentences(const json& root) {
   std::vector<std::string> sentences;
+  for (const std::string& pointer : taken_at_their_bounds(root)) {
+    const json& value = root[json::json_pointer(pointer)];
+    sentences.push_back(fmt::format("{} is stated as {} {:g}, and taken as that", pointer,
+                                    value["bound"] == "at_least" ? "at least" : "at most",
+                                    value["value"].get<double>()));
+  }
+  return sentences;
+}
+
+}  // namespace
+
+std::vector<std::string> derived_values(const io::Document& document, const Actuator& actuator) {
+  std::vector<std::string> sentences = bound_sentences(document.root);
   if (actuator.envelope) return sentences;
   const json &motor = document.root["motor"], &drive = document.root["drive"];
   if (motor.contains("velocity_constant_rpm_V")) {

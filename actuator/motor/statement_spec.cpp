@@ -24,6 +24,9 @@ double read_stated(const nlohmann::json& value, std::string pointer,
   statement.printed = value["value"];
   if (value.contains("side")) statement.at_joint = value["side"] == "joint";
   if (value.contains("ampere")) statement.ampere = convention_of_ampere(value["ampere"]);
+  if (value.contains("bound")) {
+    statement.bound = value["bound"] == "at_least" ? Bound::kAtLeast : Bound::kAtMost;
+  }
   if (value.contains("tolerance")) statement.tolerance = value["tolerance"].get<double>();
   if (value.contains("also")) {
     statement.also = value["also"].get<std::vector<double>>();
@@ -35,6 +38,27 @@ double read_stated(const nlohmann::json& value, std::string pointer,
   }
   statements.push_back(std::move(statement));
   return statements.back().printed;
+}
+
+namespace {
+
+void collect_bounds(const nlohmann::json& value, const std::string& pointer,
+                    std::vector<std::string>& pointers) {
+  if (!value.is_object()) return;
+  if (value.contains("value") && value.contains("bound")) pointers.push_back(pointer);
+  for (const auto& [key, child] : value.items()) {
+    collect_bounds(child, pointer + "/" + key, pointers);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> taken_at_their_bounds(const nlohmann::json& root) {
+  std::vector<std::string> pointers;
+  for (const char* block : {"mass_kg", "motor", "drive", "envelope"}) {
+    if (root.contains(block)) collect_bounds(root[block], std::string("/") + block, pointers);
+  }
+  return pointers;
 }
 
 }  // namespace torquewright::actuator

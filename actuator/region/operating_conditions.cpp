@@ -57,12 +57,14 @@ Supply supply_at(const Actuator& actuator, const OperatingConditions& conditions
   supply.resistance_ohm = supply_resistance_ohm(actuator);
   supply.greatest_power_W = kUnlimited;
   supply.least_power_W = actuator.drive.regeneration ? -actuator.drive.regeneration_limit_W : 0.0;
+  const double pack_limit_A = actuator.battery ? actuator.battery->discharge_limit_A : kUnlimited;
+  const double limit_A = std::min(pack_limit_A, actuator.drive.supply_current_A);
+  // From half the short circuit's current on more current is less power: there the source limits.
+  if (limit_A < kUnlimited && 2.0 * supply.resistance_ohm * limit_A < supply.open_circuit_V) {
+    supply.greatest_power_W = power_at_W(supply, limit_A);
+  }
   if (!actuator.battery) return supply;
   const Battery& battery = *actuator.battery;
-  // From half the short circuit's current on more current is less power: there the source limits.
-  if (2.0 * supply.resistance_ohm * battery.discharge_limit_A < supply.open_circuit_V) {
-    supply.greatest_power_W = power_at_W(supply, battery.discharge_limit_A);
-  }
   if (battery.charge_limit_A < kUnlimited) {
     supply.least_power_W =
         std::max(supply.least_power_W, power_at_W(supply, -battery.charge_limit_A));

@@ -119,7 +119,10 @@ std::string strength_statement(const Problem& problem, const Design& design) {
   const Problem whole = with_strength_assumed(problem, design, assumed);
   const auto strength = strength_of_design(whole, design);
   if (!strength) return "not judged: stresses of these teeth cannot be computed";
-  const std::string told = borne_sentence(*strength, whole);
+  const bool bears =
+      torque_limits(*strength).for_cycles.joint_Nm >= io::nearest(*problem.load_output_torque_Nm);
+  const std::string told =
+      (bears ? "" : "DOES NOT BEAR the load: ") + borne_sentence(*strength, whole);
   if (assumed.empty()) return told;
   return fmt::format("{} Assumed: {}.", told, fmt::join(assumed, ", "));
 }

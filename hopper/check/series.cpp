@@ -12,6 +12,8 @@
 #include "actuator/drive_check/demand.hpp"
 #include "actuator/drive_check/interpretation_check.hpp"
 #include "actuator/region/torque_at.hpp"
+#include "io/text/shown_number.hpp"
+#include "io/text/unit_scales.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -216,6 +218,21 @@ void append_number(double value, std::string& text) {
   text.append(digits.data(), end.ptr);
 }
 
+/// Of each column the greatest finite size of all that have its unit.
+std::vector<double> scales_of(const Series& series) {
+  std::vector<std::string> headers;
+  std::vector<double> sizes;
+  for (const SeriesColumn& column : series) {
+    headers.push_back(column.header);
+    double greatest = 0.0;
+    for (const double value : column.values) {
+      if (std::isfinite(value)) greatest = std::max(greatest, std::abs(value));
+    }
+    sizes.push_back(greatest);
+  }
+  return io::unit_scales(headers, sizes);
+}
+
 }  // namespace
 
 std::string series_csv(const Series& series) {
@@ -224,11 +241,12 @@ std::string series_csv(const Series& series) {
     text += (text.empty() ? "" : ",") + column.header;
   }
   text += '\n';
+  const std::vector<double> scales = scales_of(series);
   for (Index sample = 0; sample < series.front().values.size(); ++sample) {
     for (std::size_t i = 0; i < series.size(); ++i) {
       if (i > 0) text += ',';
       const double value = series[i].values[sample];
-      if (std::isfinite(value)) append_number(value, text);
+      if (std::isfinite(value)) append_number(io::without_noise(value, scales[i]), text);
     }
     text += '\n';
   }

@@ -7,6 +7,7 @@
 
 #include "io/faults/spec_error.hpp"
 #include "io/text/nearest.hpp"
+#include "io/text/unit_in_name.hpp"
 #include "io/text/units.hpp"
 #include "io/text/wording.hpp"
 
@@ -65,6 +66,41 @@ std::string objection_to_unit(const ColumnUse& use, const std::string& written) 
   return "";
 }
 
+/// The unit that the rig states, by what it makes of a column; empty: none, or a scale that is no
+/// unit's.
+std::optional<io::Unit> stated_unit(const ColumnUse& use, io::Dimension dimension) {
+  if (!use.has_unit) return std::nullopt;
+  for (const std::string& name : io::unit_names(dimension)) {
+    const io::Unit unit = io::find_unit(name).value();
+    if (unit.in_SI == use.scale) return unit;
+  }
+  return std::nullopt;
+}
+
+/// That the column's name, or the row under the header, says another unit than the one in which it
+/// is read; empty where none does, or where a scale is stated, which may hold whatever it is for.
+std::string doubt_of_unit(const ColumnUse& use, const std::string& written) {
+  const std::optional<io::Unit> own = io::find_unit(unit_of(use.quantity));
+  if (!own) return "";
+  const std::optional<io::Unit> stated = stated_unit(use, own->dimension);
+  const std::optional<io::Unit> in_row = io::find_unit(written);
+  if (use.has_unit && !stated) return "";
+  const io::Unit read_in = stated ? *stated : in_row.value_or(*own);
+  const std::string words =
+      fmt::format("\"{}\" is read in {}, {}, though", use.column, read_in.name,
+                  stated   ? "as the rig says"
+                  : in_row ? "as the row under the header says"
+                           : "since the rig states no unit");
+  const auto in_name = io::unit_in_name(use.column, own->dimension);
+  if (in_name && in_name->in_SI != read_in.in_SI) {
+    return fmt::format("{} its name ends in {}", words, in_name->name);
+  }
+  if (in_row && in_row->in_SI != read_in.in_SI) {
+    return fmt::format("{} the row under the header says {}", words, in_row->name);
+  }
+  return "";
+}
+
 Source source_of(const ColumnUse& use, std::size_t column, const std::string& written,
                  const Rig& rig) {
   Source source{column, use.quantity, use.scale, use.offset, {}};
@@ -96,6 +132,8 @@ Columns find_columns(const io::CsvReader& csv, const Rig& rig) {
       if (!objection.empty()) {
         faults.push_back({csv.file(), "", fmt::format("column \"{}\": {}", name, objection)});
       }
+      std::string doubt = doubt_of_unit(*use, written);
+      if (!doubt.empty()) columns.doubts.push_back(std::move(doubt));
     }
     if (use == nullptr) {
       if (std::find(rig.ignore.begin(), rig.ignore.end(), name) == rig.ignore.end()) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "identification/rig/rig.hpp"
@@ -25,6 +26,7 @@ struct Columns {
   std::optional<Source> time;
   std::optional<std::size_t> run;
   std::vector<Source> channels;
+  std::vector<std::string> doubts;  ///< Of units, in sentences: what stands there says another.
 };
 
 /// Finds the rig's columns in a file. Throws io::SpecError with every column that the rig names and

@@ -111,6 +111,9 @@ void LogReader::close_file() {
                                                     "which hold where the rig states none",
                                                     csv_->file())});
   }
+  for (const std::string& doubt : columns_.doubts) {
+    findings_.push_back({Weight::kWarning, fmt::format("{}: {}", csv_->file(), doubt)});
+  }
   if (!clock_.sentence().empty()) {
     findings_.push_back({Weight::kNote, fmt::format("{}: {}", csv_->file(), clock_.sentence())});
   }

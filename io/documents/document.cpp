@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "io/documents/json_reader.hpp"
+#include "io/documents/read_notes.hpp"
 #include "io/documents/schema.hpp"
 #include "io/documents/stated_units.hpp"
 #include "io/faults/diagnosis.hpp"
@@ -136,6 +137,7 @@ Document checked(JsonText text, const std::string& bytes, const std::string& fil
   Document document{file, "", std::move(text.root), sha256(bytes)};
   for (Fault& fault : find_faults(document, kind)) faults.push_back(std::move(fault));
   if (!faults.empty()) throw SpecError(std::move(faults));
+  note_read(document.file, document.root);
   return document;
 }
 

@@ -58,6 +58,8 @@ constexpr PrintedUnit kPrintedUnits[] = {
     {"deg_s", "rad/s", kDegree},
     {"rad", "rad", 1.0},
     {"deg", "rad", kDegree},
+    {"arcmin", "rad", kDegree / 60.0},
+    {"arcsec", "rad", kDegree / 3600.0},
     {"kg_m2", "kg m^2", 1.0},
     {"kgcm2", "kg m^2", 1e-4},
     {"gcm2", "kg m^2", 1e-7},
@@ -193,7 +195,8 @@ class UnitTaker {
     }
     if (unit->ampere != nullptr && !value.contains("ampere")) value["ampere"] = unit->ampere;
     // The new digits are not those of the sheet, which says no more than its own.
-    const bool is_exact = is_decimal(unit->factor) && unit->zero == 0.0;
+    const bool is_exact =
+        (is_decimal(unit->factor) && unit->zero == 0.0) || value.contains("bound");
     if (!is_exact && key.takes_tolerance && !value.contains("tolerance") && printed != 0.0) {
       value["tolerance"] = rounding_share(printed);
     }

@@ -258,7 +258,13 @@ void CsvReader::check_row() const {
       !has_points) {
     message += "; decimal commas? write 1.5, not 1,5, or separate by semicolons";
   }
-  if (cells_.size() == 1 && cells_.front().find_first_of(";,\t") != std::string_view::npos) {
+  const char* others = separator_ == ',' ? ";\t" : separator_ == ';' ? ",\t" : ";,";
+  const bool is_separated_otherwise =
+      cells_.size() < header_.size() &&
+      std::any_of(cells_.begin(), cells_.end(), [others](std::string_view cell) {
+        return cell.find_first_of(others) != std::string_view::npos;
+      });
+  if (is_separated_otherwise) {
     message += "; separated otherwise than the header? one table has one separator";
   }
   refuse_row(message);

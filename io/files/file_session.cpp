@@ -30,6 +30,7 @@ struct Inputs {
   std::mutex mutex;
   bool is_open = false;  ///< A session lasts.
   std::set<Identity> files;
+  std::vector<ReadFile> read;
   std::vector<std::filesystem::path> not_followed;  ///< Of those, what they name is not among them.
 };
 
@@ -48,7 +49,16 @@ void add(const std::filesystem::path& file, const struct stat& status) {
 void remember(const std::filesystem::path& file, const struct stat& status) {
   if (!S_ISREG(status.st_mode)) return;  // a device gives and takes whatever comes
   const std::lock_guard lock(inputs().mutex);
-  if (inputs().is_open) add(file, status);
+  if (!inputs().is_open) return;
+  inputs().read.push_back({file, status});
+  add(file, status);
+}
+
+/// With the lock held.
+void forget() {
+  inputs().files.clear();
+  inputs().not_followed.clear();
+  inputs().read.clear();
 }
 
 /// With the lock held: those that are files. A pipe or a device has nothing to lose.
@@ -147,8 +157,17 @@ FileSession::FileSession() {
 FileSession::~FileSession() {
   const std::lock_guard lock(inputs().mutex);
   inputs().is_open = false;
-  inputs().files.clear();
-  inputs().not_followed.clear();
+  forget();
+}
+
+std::vector<ReadFile> files_read() {
+  const std::lock_guard lock(inputs().mutex);
+  return inputs().read;
+}
+
+void forget_files_read() {
+  const std::lock_guard lock(inputs().mutex);
+  forget();
 }
 
 // Not blocking: opening a named pipe would wait for its writer.

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <vector>
 
 namespace torquewright::io {
 
@@ -40,6 +41,18 @@ class InputFile {
 /// How long named pipes are waited for, all of one run together. The shell's own (`<(...)`) have no
 /// such limit.
 inline constexpr int kWriterPatience_s = 5;
+
+/// A file as it was when it was read.
+struct ReadFile {
+  std::filesystem::path file;
+  struct stat status {};
+};
+
+/// The files that were read in this session, in the order of reading.
+std::vector<ReadFile> files_read();
+
+/// Begins the session again, for work that is done again: no file was read.
+void forget_files_read();
 
 /// Remembers the files that a document names as inputs, for one whose text cannot be read again,
 /// from a pipe.

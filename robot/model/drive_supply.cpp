@@ -11,8 +11,9 @@ namespace {
 using actuator::Actuator;
 using actuator::Supply;
 
-/// Of the supply alone: as if the drive returned whatever there is.
+/// Of the supply alone: as if the drive took and returned whatever there is.
 Supply supply_of(Actuator actuator, const actuator::OperatingConditions& conditions) {
+  actuator.drive.supply_current_A = actuator::kUnlimited;
   actuator.drive.regeneration = true;
   actuator.drive.regeneration_limit_W = actuator::kUnlimited;
   return phase_model_at(actuator, conditions).supply;

@@ -178,6 +178,10 @@ class Patch {
   void set_child(std::size_t joint, const std::string& child,
                  const std::vector<std::pair<std::string, std::string>>& values) {
     if (const auto there = child_of(joint, child)) {
+      for (std::size_t i = *there + 1; i < elements_.size(); ++i) {
+        if (elements_[i].parent != joint || elements_[i].name != child) continue;
+        return report(i, fmt::format("a second <{}> of one joint: which of them holds?", child));
+      }
       return set_all(*there, values);
     }
     if (elements_[joint].is_empty) {

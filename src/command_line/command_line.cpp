@@ -13,6 +13,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "io/documents/read_notes.hpp"
 #include "io/faults/spec_error.hpp"
 #include "io/files/print.hpp"
 #include "io/text/nearest.hpp"
@@ -21,6 +22,7 @@
 #include "src/command_line/help_text.hpp"
 #include "src/command_line/misspelling.hpp"
 #include "src/command_line/repeated_option.hpp"
+#include "src/loudness.hpp"
 
 namespace torquewright::command_line {
 namespace {
@@ -416,6 +418,11 @@ void Command::require_command() {
 void Command::example(const std::string& line) { declared_->example = line; }
 
 void Command::works(Work work) {
+  add_flag("-q,--quiet", cli::loudness().is_quiet,
+           "Print the answer's first line alone, no progress and no notes");
+  add_flag("-v,--verbose", cli::loudness().is_verbose,
+           "Print also what is assumed and what one screen leaves out")
+      .excludes("--quiet");
   app_->callback([app = app_, declared = declared_, named = named_, work = std::move(work)] {
     const std::vector<CLI::App*> inner = app->get_subcommands();
     if (inner.empty()) {
@@ -474,6 +481,7 @@ void Program::refuse_words(const std::vector<std::string>& words, const std::str
 }
 
 cli::ExitCode Program::run(int argc, const char* const* argv) {
+  cli::loudness() = {};  // inside another program this may not be the first run
   const std::vector<std::string> words(argv + 1, argv + argc);
   const Reached leads = reached_by(declared_, words);
   if (leads.rest + 1 == words.size() && words.back() == "help" && leads.command->needs_command) {
@@ -491,6 +499,7 @@ cli::ExitCode Program::run(int argc, const char* const* argv) {
     return cli::ExitCode::kPasses;
   }
   if (const auto blank = blank_value(declared_, words)) refuse(*blank);
+  if (cli::loudness().is_verbose) io::keep_read_notes();
   cli::ExitCode code = cli::ExitCode::kPasses;
   for (const Work& work : named_) code = work();
   return code;

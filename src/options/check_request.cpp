@@ -60,8 +60,13 @@ void add_check_options(command_line::Command& command, CheckOptions& options) {
   command.add_option("--pause", options.pause_s, "How long it rests after each run, in s")
       .between(0.0, 1e9)
       .stated_as("pause_s");
+  add_severity_option(command, options.severity);
   command.add_option("--plot", options.plot_file, "Draw regions and motion to this SVG or PNG")
       .names_a_file();
+  command
+      .add_flag("--watch", options.watch,
+                "Check and draw again each time that an input changes, until Ctrl-C")
+      .needs("--plot");
   command.add_option("-o,--output", options.output_file, "Write the report as JSON to this file")
       .names_a_file();
   command.add_flag("--json", options.json, "Print the report as JSON");

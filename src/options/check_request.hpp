@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/options/operating_options.hpp"
+#include "src/options/severity_option.hpp"
 #include "src/options/window_options.hpp"
 
 namespace torquewright::cli {
@@ -24,8 +25,10 @@ struct CheckOptions {
   double pause_s = 0.0;
   /// Its command's options, of which results state some (command_line/option_echo.hpp).
   const command_line::DeclaredCommand* declared = nullptr;
+  SeverityOption severity;
   std::string plot_file;
   std::string output_file;
+  bool watch = false;
   bool json = false;
 };
 

@@ -93,6 +93,12 @@ void add_file_options(command_line::Command& command, HopperCheckRequest& reques
   command
       .add_flag("--all", request.all, "Print all that was found of each drive, and every finding")
       .excludes("--json");
+  add_severity_option(command, request.severity);
+  command
+      .add_flag("--watch", request.watch,
+                "Check and write the page again each time that an input changes, until Ctrl-C")
+      .needs("--report")
+      .of_one_answer();
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "hopper/demand/checked_motion.hpp"
 #include "hopper/motion/bare_rows.hpp"
 #include "src/options/operating_options.hpp"
+#include "src/options/severity_option.hpp"
 #include "src/options/sweep_options.hpp"
 #include "src/options/window_options.hpp"
 
@@ -39,7 +40,9 @@ struct HopperCheckRequest {
   std::string report_file;
   std::string series_file;
   std::string output_file;
+  SeverityOption severity;
   bool all = false;  ///< Every drive and finding, not one screen.
+  bool watch = false;
   bool json = false;
 };
 

@@ -205,6 +205,7 @@ void add_trial_options(command_line::Command& command, HopperReplayRequest& requ
 }
 
 void add_output_options(command_line::Command& command, HopperReplayRequest& request) {
+  add_severity_option(command, request.motion.severity);
   command
       .add_option("--report", request.report_file,
                   "Write a page with both motions under a time cursor to this HTML")

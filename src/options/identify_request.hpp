@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "src/command_line/command_line.hpp"
+#include "src/options/severity_option.hpp"
 
 namespace torquewright::cli {
 
@@ -23,6 +24,7 @@ struct IdentifyRequest {
   const command_line::DeclaredCommand* declared = nullptr;
   double tolerance = 0.001;
   std::string as;  ///< An output's name; empty: the report.
+  SeverityOption severity;
   bool json = false;
   bool empirical = false;
   bool select = true;

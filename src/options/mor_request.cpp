@@ -123,6 +123,10 @@ void add_mor_options(command_line::Command& command, MorRequest& request) {
       .otherwise("-, standard output")
       .names_a_file();
   add_mor_plot_options(command, request.plot);
+  command
+      .add_flag("--watch", request.watch,
+                "Draw and answer again each time that an input changes, until Ctrl-C")
+      .needs("--plot");
   add_questions(command, request);
   command.add_flag("--json", request.json, "Print the same as JSON");
 }

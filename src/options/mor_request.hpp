@@ -38,6 +38,7 @@ struct MorRequest {
   std::string export_file;
   MorPlotOptions plot;
   bool table = false;
+  bool watch = false;
   bool json = false;
 };
 

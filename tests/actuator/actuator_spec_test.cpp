@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "actuator/motor/derived_values_spec.hpp"
+#include "actuator/motor/statement.hpp"
 #include "actuator/region/left_out.hpp"
 #include "actuator/region/operating_conditions.hpp"
 #include "gearbox/problem_spec.hpp"
@@ -199,6 +200,27 @@ TEST_F(ActuatorSpec, RefusesEffectsThatCountTwice) {
   EXPECT_EQ(faults.front().path, "/effects/1/replaces");
 }
 
+// Oracle: what was written. A region takes the bound itself, which counts as assumed and is said; a
+// torque per ampere is at most what a Kv of at least 30 rpm/V leaves.
+TEST_F(ActuatorSpec, TakesABoundForTheNumberAndSaysSo) {
+  json document = contract_example();
+  document["drive"]["peak_current_A"] = {{"value", 45}, {"bound", "at_least"}};
+  document["motor"].erase("torque_constant_Nm_A");
+  document["motor"].erase("torque_constant_convention");
+  document["motor"]["velocity_constant_rpm_V"] = {{"value", 30}, {"bound", "at_least"}};
+  document["assumed"] = {"/motor"};
+  const ReadActuator read = read_actuator(written(document));
+  EXPECT_EQ(read.actuator.drive.peak_current_A, 45.0);
+  EXPECT_EQ(read.actuator.assumed, (std::vector<std::string>{"/motor", "/drive/peak_current_A"}));
+  const Statement* constant = find_statement(read.actuator, "/motor/torque_constant_Nm_A");
+  ASSERT_NE(constant, nullptr);
+  EXPECT_EQ(constant->bound, Bound::kAtMost);
+  const std::vector<std::string> said = derived_values(read.documents.front(), read.actuator);
+  EXPECT_EQ(said.at(0),
+            "/motor/velocity_constant_rpm_V is stated as at least 30, and taken as that");
+  EXPECT_EQ(said.at(1), "/drive/peak_current_A is stated as at least 45, and taken as that");
+}
+
 struct Figure {
   const char* pointer;
   double value;
@@ -227,6 +249,7 @@ TEST_F(ActuatorSpec, ReadsEveryFigure) {
       {"/drive/peak_current_A", 45, [](const Actuator& a) { return a.drive.peak_current_A; }},
       {"/drive/continuous_current_A", 25,
        [](const Actuator& a) { return a.drive.continuous_current_A.value(); }},
+      {"/drive/supply_current_A", 30, [](const Actuator& a) { return a.drive.supply_current_A; }},
       {"/drive/regeneration_limit_W", 80,
        [](const Actuator& a) { return a.drive.regeneration_limit_W; }},
       {"/battery/series_cells", 12, [](const Actuator& a) { return a.battery->series_cells; }},
@@ -347,6 +370,7 @@ TEST_F(ActuatorSpec, KnowsWhatAbsentKeysStandFor) {
   EXPECT_EQ(drive.modulation, Modulation::kSvpwm);
   EXPECT_FALSE(drive.field_weakening);
   EXPECT_TRUE(drive.regeneration);
+  EXPECT_EQ(drive.supply_current_A, kUnlimited);
   EXPECT_EQ(drive.regeneration_limit_W, kUnlimited);
   EXPECT_EQ(actuator.battery->wiring_resistance_ohm, 0.0);
   EXPECT_EQ(actuator.battery->discharge_limit_A, kUnlimited);

@@ -297,6 +297,29 @@ TEST(MotorRange, StopsAtTheBatterysPower) {
   EXPECT_EQ(range.greatest.limiter, Limiter::kBatteryPower);
 }
 
+// Oracle: the same with P = V I of the bus, which another voltage changes with it; of a battery, I
+// (Voc - R I) at its lesser limit.
+TEST(MotorRange, StopsAtTheSupplysCurrent) {
+  const auto torque_at = [](double power_W) {
+    return 0.5 * (-20.0 + std::sqrt(400.0 + 4.0 * 0.5 * power_W)) / (2.0 * 0.5);
+  };
+  Actuator actuator = round_actuator();
+  actuator.drive.supply_current_A = 12.0;
+  const auto range_of = [&](const OperatingConditions& conditions) {
+    return motor_range(phase_model_at(actuator, conditions), 40.0);
+  };
+  EXPECT_NEAR(range_of({}).greatest.torque_Nm, torque_at(600.0), 1e-10);
+  EXPECT_EQ(range_of({}).greatest.limiter, Limiter::kBatteryPower);
+  EXPECT_NEAR(range_of({.bus_voltage_V = 60.0}).greatest.torque_Nm, torque_at(720.0), 1e-10);
+  actuator.battery = Battery{};
+  actuator.battery->cell_open_circuit = {{1.0, 50.0}};
+  actuator.battery->cell_resistance_ohm = 0.1;
+  actuator.battery->discharge_limit_A = 14.0;
+  EXPECT_NEAR(range_of({}).greatest.torque_Nm, torque_at(12.0 * (50.0 - 1.2)), 1e-10);
+  actuator.battery->discharge_limit_A = 10.0;
+  EXPECT_NEAR(range_of({}).greatest.torque_Nm, torque_at(10.0 * (50.0 - 1.0)), 1e-10);
+}
+
 // Oracle: (5). From half the short circuit's 500 A on a limit of the current stands in no way: the
 // bus never has so much.
 TEST(MotorRange, IsNotStoppedByALimitThatTheBatteryCannotReach) {

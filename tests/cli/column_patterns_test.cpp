@@ -73,6 +73,12 @@ TEST(ColumnPatterns, AreRefusedWhereTheyFitNoColumn) {
   EXPECT_NE(outcome.err.find("no column is as \"q_{joint}\" says of {joint}; joints are knee"),
             std::string::npos)
       << outcome.err;
+  const Outcome near =
+      place.run({"actuator", "check", "named.csv", "--column", "po.{joint}={joint}.position",
+                 "--joint", "knee=" + in_specs("actuator/d151_knee.json")});
+  EXPECT_EQ(near.exit_code, 2);
+  EXPECT_NE(near.err.find("\"po.knee\" is near \"pos.knee\", which is there"), std::string::npos)
+      << near.err;
 }
 
 }  // namespace

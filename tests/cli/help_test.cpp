@@ -208,5 +208,52 @@ TEST(Help, HoldsAnExampleThatRuns) {
   }
 }
 
+bool is_one_line(const std::string& text) {
+  return !text.empty() && text.find('\n') + 1 == text.size();
+}
+
+// Oracle: what the same example prints without either. What is no text for people (a table, a
+// document, a page of help) is the answer itself and stays as it is; of a text -q leaves one line,
+// and -v takes nothing away.
+TEST(Help, HasExamplesThatAreQuietAndVerbose) {
+  Workplace place;
+  fs::copy(in_repository("specs"), place.path("specs"), fs::copy_options::recursive);
+  std::size_t short_answers = 0;
+  for (const Words& command : all_commands()) {
+    const std::string help = help_of(command);
+    if (!subcommands(help).empty() && command != Words{"identify"}) continue;  // leads to others
+    EXPECT_TRUE(holds(help, "-q, --quiet")) << testing::PrintToString(command);
+    EXPECT_TRUE(holds(help, "-v, --verbose")) << testing::PrintToString(command);
+    Words example = examples(help).front();
+    example.erase(example.begin());
+    const Outcome usual = place.run(example);
+    example.emplace_back("-q");
+    const Outcome quiet = place.run(example);
+    example.back() = "-v";
+    const Outcome verbose = place.run(example);
+    for (const Outcome* outcome : {&quiet, &verbose}) {
+      EXPECT_EQ(outcome->exit_code, usual.exit_code) << testing::PrintToString(example);
+      EXPECT_EQ(outcome->err, "") << testing::PrintToString(example);
+    }
+    EXPECT_TRUE(quiet.out == usual.out || is_one_line(quiet.out))
+        << testing::PrintToString(example) << quiet.out;
+    short_answers += quiet.out != usual.out;
+    EXPECT_GE(verbose.out.size(), usual.out.size()) << testing::PrintToString(example);
+    EXPECT_EQ(lines_of(verbose.out).front(), lines_of(usual.out).front());
+  }
+  EXPECT_GE(short_answers, 15u);
+}
+
+TEST(Help, SaysWhatVerboseAnswersRestOn) {
+  const std::string file = in_specs("actuator/d151_knee.json");
+  const Words words{"actuator", "mor", file};
+  Words verbose = words;
+  verbose.emplace_back("-v");
+  const std::string more = run(verbose).out.substr(run(words).out.size());
+  EXPECT_TRUE(more.starts_with("read: " + file + ", of kind actuator; it assumes /")) << more;
+  EXPECT_EQ(run({"actuator", "mor", file, "-q", "-v"}).exit_code, 2);
+  EXPECT_EQ(run({"actuator", "lint", file, "-q"}).out.find(": "), 4u);  // pass: or fail:
+}
+
 }  // namespace
 }  // namespace torquewright::cli_test

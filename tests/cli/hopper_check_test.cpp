@@ -218,6 +218,52 @@ TEST_F(HopperCheck, WritesEverythingByTime) {
   expect_refusal(crane(), swing(0.5), "motion.csv", {"--series", "motion.csv"});
 }
 
+// Oracle: the file. At rest nothing but weight pulls: what else a column holds is no digit beside
+// the greatest of its unit.
+TEST_F(HopperCheck, WritesNoNoiseByTime) {
+  ASSERT_EQ(check(crane(), swing(0.5), {"--series", "series.csv"}).exit_code, 0);
+  io::CsvReader csv(place_.path("series.csv"));
+  double greatest_N = 0.0;
+  std::vector<double> forces_N;
+  while (csv.next()) {
+    for (std::size_t i = 0; i < csv.header().size(); ++i) {
+      if (!csv.header()[i].ends_with("_N") || csv.text(i).empty()) continue;
+      forces_N.push_back(std::abs(csv.number(i)));
+      greatest_N = std::max(greatest_N, forces_N.back());
+    }
+  }
+  ASSERT_GT(greatest_N, 50.0);
+  for (const double force_N : forces_N) {
+    EXPECT_TRUE(force_N == 0.0 || force_N > 4e-11 * greatest_N) << force_N;
+  }
+}
+
+// Oracle: all that --all lists.
+TEST_F(HopperCheck, ListsFindingsByTheirSeverity) {
+  const auto listed = [](const std::string& text, const std::string& severity) {
+    std::istringstream stream(text);
+    int count = 0;
+    for (std::string line; std::getline(stream, line);) count += line.starts_with(severity + " [");
+    return count;
+  };
+  const std::string all = check(crane(), swing(0.5), {"--all"}).out;
+  ASSERT_GT(listed(all, "note"), 0);
+  for (const Words& more : {Words{"--all"}, Words{}}) {
+    Words words = more;
+    words.insert(words.end(), {"--severity", "warning"});
+    const std::string warnings = check(crane(), swing(0.5), words).out;
+    EXPECT_EQ(listed(warnings, "note"), 0);
+    EXPECT_EQ(listed(warnings, "warning"), listed(all, "warning"));
+    words.back() = "error";
+    const std::string errors = check(crane(), swing(0.5), words).out;
+    EXPECT_EQ(listed(errors, "warning"), 0);
+    EXPECT_EQ(listed(errors, "violation"), listed(all, "violation"));
+    EXPECT_EQ(errors.substr(0, errors.find('\n')), all.substr(0, all.find('\n')));
+  }
+  expect_refusal(crane(), swing(0.5), "\"fatal\" is none of error, warning, note",
+                 {"--severity", "fatal"});
+}
+
 // Three panels, and nothing where the file tells no motion of the base.
 // Two rows of positions are a velocity and no acceleration, not one of zero.
 TEST_F(HopperCheck, RefusesRatesThatTooFewRowsHold) {

@@ -121,6 +121,41 @@ TEST(InitFromSheet, TakesAGearboxForTheRatio) {
   }
 }
 
+// "> 30 Nm" stays a bound in the document, which the region takes for the number; 20 A from 48 V
+// are 960 W, so that K w i + R i^2 = 960 with K = 9 Kt, where the current would allow more.
+TEST(InitFromSheet, TakesBoundsAndASupplysCurrent) {
+  const Desk desk;
+  const Outcome outcome =
+      desk.answer("48 V, 20 A\n9\n> 30 Nm\n\n\n100\n170 mohm\n\n\n<= 607 gcm2\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json document = desk.document();
+  EXPECT_EQ(document["drive"]["supply_current_A"], (json{{"value", 20}, {"unit", "A"}}));
+  EXPECT_EQ(document["drive"]["peak_torque_Nm"],
+            (json{{"value", 30}, {"unit", "Nm"}, {"bound", "at_least"}}));
+  EXPECT_EQ(document["motor"]["rotor_inertia_kg_m2"]["bound"], "at_most");
+  EXPECT_NE(outcome.out.find("/drive/peak_torque_Nm: the sheet says at least that"),
+            std::string::npos)
+      << outcome.out;
+  EXPECT_NEAR(desk.row_at("0")["torque_max_Nm"].get<double>(), 30.0, 30.0 * kRoundOff);
+  const double K = 9.0 * 30.0 / (std::numbers::pi * 100.0), R = 0.17, w = 30.0;
+  const double i = (-K * w + std::sqrt(K * w * K * w + 4.0 * R * 960.0)) / (2.0 * R);
+  const json row = desk.row_at("30");
+  EXPECT_NEAR(row["torque_max_Nm"].get<double>(), K * i, K * i * kRoundOff);
+  EXPECT_EQ(row["limiter_max"], "battery_power");
+}
+
+// A bound of a number that others follow from goes to the data sheet, where the lint reads it: 30 A
+// give 25.8 Nm, and so not more than 40, but more than 20.
+TEST(InitFromSheet, LeavesABoundToTheLintWhereTheRegionNeedsNone) {
+  for (const auto& [bound, code] : {std::pair{"> 20 Nm", 0}, {"> 40 Nm", 1}, {"< 40 Nm", 0}}) {
+    const Desk desk;
+    const Outcome outcome =
+        desk.answer(std::string("48 V\n9\n") + bound + "\n\n\n100\n170 mohm\n30 A\n\n\n");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(desk.run({"actuator", "lint", "a.json"}).exit_code, code) << bound;
+  }
+}
+
 // Nothing is written where an answer is no number, of another unit, too few or too many.
 TEST(InitFromSheet, RefusesWhatIsNoSheet) {
   struct Case {
@@ -133,6 +168,9 @@ TEST(InitFromSheet, RefusesWhatIsNoSheet) {
        "(Resistance): \"93 mohmm\": \"mohmm\" is none of ohm, mohm"},
       {"-48 V\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n",
        "standard input, line 1 (Supply voltage): \"-48 V\": "},
+      {"> 48 V\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n", "\"> 48 V\": Supply voltage is a number"},
+      {"48 V, some\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n",
+       "\"some\" does not begin with a number, as 20 A does"},
       {"48 V\n9\n", "standard input: ends before answer 3 of 10 (Peak torque)"},
       {"", "standard input: ends before answer 1 of 10"},
       {"48 V\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n7\n",

@@ -196,6 +196,14 @@ TEST(RobotPatch, RefusesWhatWouldChangeMore) {
     EXPECT_NE(outcome.err.find(each.said), std::string::npos) << each.said << "\n" << outcome.err;
     EXPECT_EQ(desk.files(), before);
   }
+  const PatchDesk urdf;
+  urdf.write("leg.urdf", with(kUrdf, "<dynamics damping=\"0.1\"/>", "<limit effort=\"1\"/>"));
+  const auto before = urdf.files();
+  const Outcome two = urdf.run({"robot", "patch", "leg.urdf", "ankle=drive.json", "-o", "n.urdf"});
+  EXPECT_EQ(two.exit_code, 2) << two.out;
+  EXPECT_NE(two.err.find("leg.urdf: line 14: a second <limit> of one joint"), std::string::npos)
+      << two.err;
+  EXPECT_EQ(urdf.files(), before);
   const PatchDesk desk;
   desk.write("leg.xml", kMjcf);
   const Outcome twice = desk.run({"robot", "patch", "leg.xml", "k*=drive.json", "*ee=drive.json"});

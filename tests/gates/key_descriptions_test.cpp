@@ -145,7 +145,7 @@ struct LeftOut {
 
 const std::vector<LeftOut> kLeftOut = {
     {R"(.*: /\$schema)", "names a file that each user has elsewhere"},
-    {R"(actuator: .*/(value|side|ampere|unit|tolerance|also))",
+    {R"(actuator: .*/(value|side|ampere|bound|unit|tolerance|also))",
      "a number may say so too; the example shows each of them at least once, but for `unit` and "
      "`also`"},
     {R"(actuator: /(envelope|sources).*)",

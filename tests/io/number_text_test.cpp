@@ -7,6 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "io/text/shown_number.hpp"
+#include "io/text/unit_scales.hpp"
+
 namespace torquewright::io {
 namespace {
 
@@ -31,6 +34,33 @@ TEST(NumberText, KeepsWhatADecimalKeepsForOtherPrograms) {
   EXPECT_EQ(precise_text(-10.50000000000048), "-10.50000000000048");
   EXPECT_EQ(precise_text(1.0 / 3.0), "0.3333333333333333");
   EXPECT_EQ(precise_text(27.990000000000002), "27.99");
+}
+
+TEST(NumberText, LeavesNoNoiseAndAllDigits) {
+  EXPECT_EQ(without_noise(8.29e-15, 320.0), 0.0);
+  EXPECT_EQ(without_noise(1.4980985952435e-11, 42.0), 0.0);
+  EXPECT_EQ(without_noise(1.4980985952435e-11, 0.001), 1.4980985952435e-11);
+  EXPECT_EQ(without_noise(-6.67e-9, 800.0), 0.0);
+  EXPECT_EQ(without_noise(-6.67e-8, 800.0), -6.67e-8);
+  EXPECT_EQ(without_noise(0.1 + 0.2, 1.0), 0.1 + 0.2);
+  EXPECT_TRUE(std::isnan(without_noise(std::nan(""), 1.0)));
+}
+
+TEST(NumberText, ShowsAPartBesideItsWhole) {
+  EXPECT_EQ(shown(2.83e-05, 33.6, 3), 0.0);
+  EXPECT_EQ(shown(-6.4912, 33.6, 3), -6.5);
+  EXPECT_EQ(shown(33.04, 33.6, 3), 33.0);
+}
+
+// Columns of one unit have one scale, whatever they are called; "m" is not the end of "Nm".
+TEST(NumberText, HasTheScaleOfItsUnit) {
+  EXPECT_EQ(unit_of_name("base_momentum_y_Nm_s"), "Nm_s");
+  EXPECT_EQ(unit_of_name("knee_torque_Nm"), "Nm");
+  EXPECT_EQ(unit_of_name("time_s"), "s");
+  EXPECT_EQ(unit_of_name("impact"), "");
+  EXPECT_EQ(unit_scales({"front_force_x_N", "front_force_z_N", "knee_torque_Nm", "impact", "yes"},
+                        {1e-14, 980.0, 33.0, 1.0, 2.0}),
+            (std::vector<double>{980.0, 980.0, 33.0, 1.0, 2.0}));
 }
 
 TEST(NumberText, LeavesWhatIsNoNumber) {

@@ -180,6 +180,10 @@ void Terminal::press(const std::string& key) const { tmux({"send-keys", "-t", kS
 
 Words Terminal::shown() const { return rows_in(tmux({"capture-pane", "-p", "-t", kSession})); }
 
+Words Terminal::coloured() const {
+  return rows_in(tmux({"capture-pane", "-e", "-p", "-t", kSession}));
+}
+
 bool Terminal::comes(const std::string& text) const {
   return waited_for([&] {
     const Words rows = shown();

@@ -44,6 +44,8 @@ class Terminal {
   void press(const std::string& key) const;
   /// All rows that the window shows now, without the empty ones below.
   std::vector<std::string> shown() const;
+  /// The same with the escapes that colour them.
+  std::vector<std::string> coloured() const;
   /// Waits until a row holds the text. False: it does not come.
   bool comes(const std::string& text) const;
   /// Waits for the prompt that follows what was typed. Throws where none comes.

@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <set>
 #include <sstream>
+#include <thread>
 
 #include "tests/cli/workplace.hpp"
 #include "tests/journeys/terminal.hpp"
@@ -90,6 +92,76 @@ TEST_F(Window, CtrlCLeavesAPromptAndNoFiles) {
     EXPECT_EQ(row.find("intervals, iteration "), std::string::npos) << row;
   }
   EXPECT_EQ(terminal.run({"echo still here"}).lines.back(), "still here");
+}
+
+constexpr const char* kCheck =
+    "torquewright actuator check specs/trajectory/knee_extension.csv --joint "
+    "knee=specs/actuator/d151_knee.json";
+
+std::size_t escapes_in(const Words& rows) {
+  std::size_t count = 0;
+  for (const std::string& row : rows) {
+    count += static_cast<std::size_t>(std::count(row.begin(), row.end(), '\033'));
+  }
+  return count;
+}
+
+// Oracle: the escapes that the emulator keeps, 32 for green (ECMA-48, 8.3.117), and no-color.org.
+// Without colours the rows hold the same.
+TEST_F(Window, ColoursVerdictsWhereTheTerminalAndItsUserWantThem) {
+  Terminal terminal(place_.path(), TORQUEWRIGHT_PROGRAM, kColumns, kRows);
+  terminal.run({"export TERM=screen; unset NO_COLOR; clear"});
+  const Screen screen = terminal.run({kCheck});
+  ASSERT_EQ(screen.exit_code, 0);
+  const std::string rows = joined(terminal.coloured(), 0);
+  EXPECT_NE(rows.find("specs/trajectory/knee_extension.csv: \033[32mpass"), std::string::npos)
+      << rows;
+  for (const char* plain : {"NO_COLOR=1 ", "TERM=dumb "}) {
+    terminal.run({"clear"});
+    const Screen bare = terminal.run({std::string(plain) + kCheck});
+    EXPECT_EQ(escapes_in(terminal.coloured()), 0u) << plain;
+    EXPECT_EQ(joined(bare.lines, 1), joined(screen.lines, 1)) << plain;
+  }
+  terminal.run({std::string(kCheck) + " > written.txt"});
+  EXPECT_EQ(place_.text("written.txt").find('\033'), std::string::npos);
+}
+
+TEST_F(Window, QuietWorkShowsNoProgress) {
+  Terminal terminal(place_.path(), TORQUEWRIGHT_PROGRAM, kColumns, kRows);
+  const Screen screen = terminal.run(
+      {"torquewright identify specs/log/bench_as_built.csv --rig specs/log/bench_rig.json "
+       "--actuator specs/log/bench_actuator.json -q 2> problems.txt"});
+  EXPECT_EQ(screen.exit_code, 0);
+  EXPECT_EQ(screen.lines.size(), 2u) << joined(screen.lines, 0);  // what was typed, and the answer
+  EXPECT_EQ(place_.text("problems.txt"), "");
+}
+
+// A picture follows its document: the region's title has the torque at rest that the document
+// makes.
+TEST_F(Window, WatchedPicturesFollowTheirDocument) {
+  const std::string document =
+      cli_test::text_of(cli_test::in_repository("specs/actuator/d110a_ankle.json"));
+  place_.write("drive.json", document);
+  Terminal terminal(place_.path(), TORQUEWRIGHT_PROGRAM, kColumns, kRows);
+  terminal.type("torquewright actuator mor drive.json --plot region.svg --watch");
+  terminal.press("Enter");
+  ASSERT_TRUE(terminal.comes("watching 1 file; Ctrl-C ends it"));
+  const std::string first = place_.text("region.svg");
+  place_.write("drive.json", "{");  // as an editor that has not ended
+  ASSERT_TRUE(terminal.comes("not JSON"));
+  EXPECT_EQ(place_.text("region.svg"), first);
+  const std::string half = cli_test::with(document, "\"bus_voltage_V\": ", "\"bus_voltage_V\": 1");
+  place_.write("drive.json", half);
+  std::string second = first;
+  for (int look = 0; look < 100 && second == first; ++look) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    second = place_.text("region.svg");
+  }
+  EXPECT_NE(second, first);
+  terminal.press("C-c");
+  EXPECT_EQ(terminal.wait().exit_code, 0);
+  EXPECT_EQ(terminal.run({"torquewright actuator mor drive.json --plot again.svg"}).exit_code, 0);
+  EXPECT_EQ(place_.text("again.svg"), second);
 }
 
 }  // namespace

@@ -62,7 +62,8 @@ TEST(FlipText, OfAPlanNamesPhasesFlightMarginsAndWhatBinds) {
   expect_line(text, "  phase    flight  0.4000 to 0.9000 s: 0.5000 s, 2 intervals");
   // 10.6 / 7.4 - 1 = 43.2 %.
   expect_line(text,
-              "  flight   0.5000 s; CAM 6 Nm s; CAV 7.4 rad/s at take-off, 10.6 at most (+43.2 %); "
+              "  flight   0.5000 s; angular momentum 6 Nm s; turns at 7.4 rad/s at take-off, 10.6 "
+              "at most (+43.2 %); "
               "0.31 m up");
   expect_line(text,
               "  motor-operating-region   20 Nm of margin: 300 Nm at a limit of 320 Nm, knee, t = "

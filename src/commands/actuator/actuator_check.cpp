@@ -14,6 +14,7 @@
 #include "src/commands/actuator/actuator_check_json.hpp"
 #include "src/commands/actuator/actuator_commands.hpp"
 #include "src/commands/shared/verdict_code.hpp"
+#include "src/commands/shared/watch.hpp"
 #include "src/options/output_files.hpp"
 #include "src/report/actuator/check_text.hpp"
 #include "src/report/actuator/region_plot.hpp"
@@ -79,15 +80,21 @@ void write(const CheckOptions& options, const ActuatorCheckInputs& inputs,
     files.push_back({options.plot_file, report::picture_by_gnuplot(found.plot)});
   }
   deliver_report({actuator_check_json(options, inputs, found.report),
-                  report::check_text(io::name_in_text(options.trajectory_file), found.report)},
+                  report::check_text(io::name_in_text(options.trajectory_file), found.report,
+                                     least_severity(options.severity))},
                  options.output_file, options.json, std::move(files));
 }
 
-ExitCode run_check(const CheckOptions& options) {
+ExitCode check_once(const CheckOptions& options) {
   const ActuatorCheckInputs inputs = read(options);
   const ActuatorCheckFound found = compute(options, inputs);
   write(options, inputs, found);
   return verdict_code(found.report.verdict);
+}
+
+ExitCode run_check(const CheckOptions& options) {
+  const auto work = [&options] { return check_once(options); };
+  return options.watch ? watch(work) : work();
 }
 
 }  // namespace

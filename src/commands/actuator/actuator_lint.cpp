@@ -12,6 +12,7 @@
 #include "src/commands/actuator/actuator_lint_json.hpp"
 #include "src/commands/shared/result_json.hpp"
 #include "src/options/output_files.hpp"
+#include "src/options/severity_option.hpp"
 #include "src/report/actuator/lint_text.hpp"
 #include "src/report/actuator/winding_text.hpp"
 #include "src/standard_output.hpp"
@@ -25,6 +26,7 @@ struct LintOptions {
   std::optional<double> resistance_ohm;
   std::optional<double> voltage_V;
   std::optional<double> current_A;
+  SeverityOption severity;
   std::string output_file;
   bool json = false;
 };
@@ -83,10 +85,11 @@ LintInputs read(const LintOptions& options) {
 void write(const LintOptions& options, const LintInputs& inputs,
            const actuator::lint::Report& report,
            const std::optional<actuator::WindingEstimate>& winding) {
-  std::string text = report::lint_text(report);
+  std::string text = report::lint_text(report, least_severity(options.severity));
   if (winding) text += report::winding_text(*winding);
-  deliver_report({lint_document(report, winding, inputs.documents), text}, options.output_file,
-                 options.json);
+  deliver_report(
+      {lint_document(report, winding, inputs.documents), text, report::lint_answer(report)},
+      options.output_file, options.json);
 }
 
 ExitCode run_lint(const LintOptions& options) {
@@ -125,6 +128,7 @@ void add_lint_command(command_line::Command& actuator) {
   command.add_option("--current", options->current_A, "At its peak torque, in A")
       .otherwise("not known")
       .between(1e-3, 1e5);
+  add_severity_option(command, options->severity);
   command.add_option("-o,--output", options->output_file, "Write the report as JSON to this file")
       .names_a_file();
   command.add_flag("--json", options->json, "Print the same as JSON");

@@ -19,6 +19,7 @@
 #include "src/commands/actuator/mor_compare.hpp"
 #include "src/commands/actuator/mor_plot.hpp"
 #include "src/commands/shared/result_json.hpp"
+#include "src/commands/shared/watch.hpp"
 #include "src/interrupt.hpp"
 #include "src/options/mor_request.hpp"
 #include "src/options/output_files.hpp"
@@ -26,6 +27,7 @@
 #include "src/report/actuator/actuator_text.hpp"
 #include "src/report/actuator/region_text.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -169,9 +171,11 @@ MorAnswer compute(const MorRequest& request, const MorInputs& inputs) {
   }
   if (!wants_rows(request) && !inputs.picture) {
     const actuator::MorHeader header{&inputs.read.actuator, inputs.conditions, side_of(request)};
-    answer.rows = report::region_text(
-        header, request.actuator_file,
-        actuator::derived_values(inputs.read.documents.front(), inputs.read.actuator));
+    answer.rows = for_window(
+        report::region_text(
+            header, request.actuator_file,
+            actuator::derived_values(inputs.read.documents.front(), inputs.read.actuator)),
+        report::region_answer(header));
   }
   if (inputs.picture) {
     answer.plot =
@@ -198,11 +202,16 @@ void write(const MorRequest& request, const MorAnswer& answer) {
   say_old_spelling(request.output_file, "the simulator's file", "--export " + request.output_file);
 }
 
-ExitCode run_mor(const MorRequest& request) {
+ExitCode answer_once(const MorRequest& request) {
   const MorInputs inputs = read(request);
   const MorAnswer answer = compute(request, inputs);
   write(request, answer);
   return answer.code;
+}
+
+ExitCode run_mor(const MorRequest& request) {
+  const auto work = [&request] { return answer_once(request); };
+  return request.watch ? watch(work) : work();
 }
 
 }  // namespace

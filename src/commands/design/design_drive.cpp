@@ -21,6 +21,7 @@
 #include "src/commands/robot/hopper_check_inputs.hpp"
 #include "src/commands/shared/result_json.hpp"
 #include "src/interrupt.hpp"
+#include "src/loudness.hpp"
 #include "src/options/output_files.hpp"
 #include "src/report/parts/progress_line.hpp"
 #include "src/report/parts/shell_word.hpp"
@@ -208,7 +209,8 @@ ExitCode run_design(const DesignRequest& request) {
   const hopper::Robot& robot = inputs.check.inputs.robot.robot;
   deliver_report(
       {result_text(hopper::co_design_json(robot, inputs.question, design), documents_of(inputs)),
-       for_window(report::co_design_text(robot, inputs.question, design, request.all) +
+       for_window(report::co_design_text(robot, inputs.question, design,
+                                         request.all || loudness().is_verbose) +
                   next_line(request, design))},
       request.output_file, request.json, actuator_files(request, inputs, design));
   return exit_code_of(design);

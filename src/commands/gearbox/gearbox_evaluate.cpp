@@ -145,7 +145,8 @@ gearbox::StandingOptions standing_options(const EvaluateOptions& options,
   if (!options.rank) result.max_boxes = kCheapBoxes;
   result.should_stop = is_interrupted;
   result.report = [&line](const char* sought, std::int64_t boxes, std::int64_t found) {
-    line.show(fmt::format("seeking {}: {} boxes done, {} found", sought, boxes, found));
+    line.show(
+        fmt::format("seeking {}: {} parts of the search done, {} found", sought, boxes, found));
   };
   return result;
 }

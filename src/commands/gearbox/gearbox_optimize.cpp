@@ -22,6 +22,7 @@
 #include "src/commands/gearbox/gearbox_synthesis.hpp"
 #include "src/commands/shared/result_json.hpp"
 #include "src/interrupt.hpp"
+#include "src/loudness.hpp"
 #include "src/report/gearbox/gearbox_text.hpp"
 #include "src/report/gearbox/proof_text.hpp"
 #include "src/report/parts/progress_line.hpp"
@@ -56,9 +57,9 @@ gearbox::DesignSearchOptions search_options(const OptimizeRequest& request,
   if (request.max_nodes > 0) result.max_nodes = request.max_nodes;
   result.should_stop = is_over;
   result.report = [&line](const optimization::Progress& progress) {
-    line.show(fmt::format("{} boxes done, {} open, {} designs kept, best {:.8g}, bound {:.8g}",
-                          progress.nodes, progress.open, progress.found, progress.best_cost,
-                          progress.bound));
+    line.show(fmt::format(
+        "{} parts of the search done, {} open, {} designs kept, best {:.8g}, bound {:.8g}",
+        progress.nodes, progress.open, progress.found, progress.best_cost, progress.bound));
   };
   return result;
 }
@@ -97,7 +98,8 @@ OptimizeAnswer compute(const OptimizeRequest& request, const ReadProblem& inputs
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   answer.json = optimization_json(request, inputs, answer.found, seconds.count());
-  answer.text = report::optimization_text(inputs.problem, answer.found, request.all);
+  answer.text =
+      report::optimization_text(inputs.problem, answer.found, request.all || loudness().is_verbose);
   if (request.timing) answer.text += fmt::format("Search time: {:.4f} s\n", seconds.count());
   if (request.verify) {
     catch_interrupt();  // what ended the search does not end the check
@@ -113,7 +115,7 @@ OptimizeAnswer compute(const OptimizeRequest& request, const ReadProblem& inputs
 /// What one does with the screen; nothing where all was asked for, or there is no design.
 std::string next_line(const OptimizeRequest& request, const gearbox::Problem& problem,
                       const OptimizeAnswer& answer) {
-  if (request.all || answer.found.designs.empty()) return "";
+  if (request.all || loudness().is_verbose || answer.found.designs.empty()) return "";
   std::string more = problem.steel ? "" : std::string(" --steel ") + gearbox::kAssumedSteel;
   if (problem.face_width_mm.empty()) more += " --face-width MM";
   if (!problem.load_output_torque_Nm) more += " --torque NM";

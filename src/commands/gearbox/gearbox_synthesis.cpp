@@ -39,8 +39,8 @@ SynthesisResult synthesised(const OptimizeRequest& request, const gearbox::Probl
   options.max_boxes = request.max_nodes;
   options.should_stop = is_over;
   options.report = [&line](const gearbox::SynthesisProgress& progress) {
-    line.show(fmt::format("{} boxes done, {} open, best {}, bound {:.6g} kg", progress.boxes,
-                          progress.open,
+    line.show(fmt::format("{} parts of the search done, {} open, best {}, bound {:.6g} kg",
+                          progress.boxes, progress.open,
                           progress.mass_kg ? fmt::format("{:.6g} kg", *progress.mass_kg) : "none",
                           progress.bound_kg));
   };

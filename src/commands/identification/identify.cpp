@@ -188,6 +188,7 @@ void write(const IdentifyRequest& request, const IdentifyInputs& inputs,
            const IdentifyFound& found) {
   report::IdentificationContext context{
       {}, io::name_in_text(request.rig_file), inputs.rig.name, {}, {}, {}, request.select};
+  context.least = least_severity(request.severity);
   for (const std::string& log : request.logs) context.log_files.push_back(io::name_in_text(log));
   for (const identification::ColumnUse& column : inputs.rig.columns) {
     context.logged.emplace_back(identification::name_of(column.quantity));
@@ -298,6 +299,7 @@ void add_identify_command(command_line::Command& program) {
   for (const identification::RobotOutput& output : identification::robot_outputs()) {
     outputs += fmt::format("; {}: {}", output.name, output.what);
   }
+  add_severity_option(command, request->severity);
   command
       .add_option("--as", request->as,
                   "Print numbers for other programs in place of the report. " + outputs)

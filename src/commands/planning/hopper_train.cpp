@@ -25,6 +25,7 @@
 #include "src/options/output_files.hpp"
 #include "src/report/parts/progress_line.hpp"
 #include "src/standard_output.hpp"
+#include "src/window_text.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -193,7 +194,7 @@ class TrainingRun {
     }
     text += fmt::format("next: torquewright hopper replay {} {}\n", request_.robot_file,
                         request_.policy_file);
-    print_result(text);
+    print_result(for_window(text));
     const bool has_learned =
         static_cast<double>(best.succeeded) >= kLearned * static_cast<double>(best.runs);
     return has_learned ? ExitCode::kPasses : ExitCode::kUndecided;

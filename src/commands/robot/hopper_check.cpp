@@ -15,6 +15,7 @@
 #include "src/commands/robot/hopper_check_sweep.hpp"
 #include "src/commands/robot/hopper_commands.hpp"
 #include "src/commands/shared/verdict_code.hpp"
+#include "src/commands/shared/watch.hpp"
 #include "src/interrupt.hpp"
 #include "src/options/output_files.hpp"
 #include "src/report/parts/progress_line.hpp"
@@ -74,8 +75,7 @@ void require_points(const HopperCheckRequest& request) {
   }
 }
 
-ExitCode run_hopper_check(const HopperCheckRequest& request) {
-  if (!request.sweep.axes.empty()) return run_hopper_check_sweep(request);
+ExitCode check_once(const HopperCheckRequest& request) {
   require_points(request);
   require_outputs(request);
   auto [inputs, motion] = read_inputs(request);
@@ -90,6 +90,12 @@ ExitCode run_hopper_check(const HopperCheckRequest& request) {
   if (!try_candidates(request, inputs, found)) return ExitCode::kPasses;
   write_outputs(request, inputs, found);
   return is_interrupted() ? ExitCode::kUndecided : verdict_code(found.report.check.verdict);
+}
+
+ExitCode run_hopper_check(const HopperCheckRequest& request) {
+  if (!request.sweep.axes.empty()) return run_hopper_check_sweep(request);
+  const auto work = [&request] { return check_once(request); };
+  return request.watch ? watch(work) : work();
 }
 
 }  // namespace

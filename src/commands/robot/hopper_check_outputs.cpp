@@ -12,6 +12,7 @@
 #include "hopper/check/series.hpp"
 #include "io/files/atomic_file.hpp"
 #include "src/commands/robot/hopper_check_json.hpp"
+#include "src/loudness.hpp"
 #include "src/options/output_files.hpp"
 #include "src/report/parts/gnuplot.hpp"
 #include "src/report/parts/shell_word.hpp"
@@ -44,10 +45,12 @@ std::string next_line(const HopperCheckRequest& request, const hopper::Robot& ro
 std::string hopper_check_text(const HopperCheckRequest& request, const HopperCheckInputs& inputs,
                               const HopperCheckFound& found) {
   const hopper::Robot& robot = inputs.robot.robot;
-  std::string text = request.all ? report::hopper_text(robot, found.motion, found.report)
-                                 : report::hopper_screen(robot, found.motion, found.report);
+  const bool all = request.all || loudness().is_verbose;
+  const actuator::Severity least = least_severity(request.severity);
+  std::string text = all ? report::hopper_text(robot, found.motion, found.report, least)
+                         : report::hopper_screen(robot, found.motion, found.report, least);
   if (found.candidates.empty()) {
-    return request.all ? text : text + next_line(request, robot, found.report.check.verdict);
+    return all ? text : text + next_line(request, robot, found.report.check.verdict);
   }
   text += report::candidates_text(robot, found.candidates);
   for (const std::string& sentence : inputs.candidates.left_out) {

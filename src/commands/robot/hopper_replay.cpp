@@ -255,9 +255,10 @@ void write_answer(const HopperReplayRequest& request, const HopperCheckInputs& i
   if (!request.report_file.empty()) {
     files.push_back({request.report_file, report::replay_html(page)});
   }
-  deliver_report({hopper_replay_json(request, inputs, motion, report),
-                  report::replay_text(robot, motion, report)},
-                 request.output_file, request.json, std::move(files));
+  deliver_report(
+      {hopper_replay_json(request, inputs, motion, report),
+       report::replay_text(robot, motion, report, least_severity(request.motion.severity))},
+      request.output_file, request.json, std::move(files));
 }
 
 namespace {

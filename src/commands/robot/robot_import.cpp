@@ -30,6 +30,7 @@
 #include "robot/urdf/urdf_reader.hpp"
 #include "src/commands/robot/robot_commands.hpp"
 #include "src/commands/shared/result_json.hpp"
+#include "src/loudness.hpp"
 #include "src/options/named_feet.hpp"
 #include "src/options/output_files.hpp"
 #include "src/standard_output.hpp"
@@ -244,7 +245,7 @@ void write(const ImportOptions& options, const hopper::Imported& imported,
   std::string notes;
   for (const std::string& note : imported.notes) notes += "note: " + note + "\n";
   if (options.output_file.empty() || is_standard_output(options.output_file)) {
-    std::fputs(notes.c_str(), stderr);
+    if (!loudness().is_quiet) std::fputs(notes.c_str(), stderr);
     return;
   }
   const std::size_t bodies = imported.robot.tree.bodies.size();

@@ -170,7 +170,7 @@ ExitCode run_init(const InitOptions& options) {
   const bool is_file = !options.output_file.empty() && !is_standard_output(options.output_file);
   if (is_file) {
     deliver_result(start.document, options.output_file);
-    print_result(for_window(start.explanation) + start.next);
+    print_result(for_window(start.explanation + start.next));
   } else if (options.explains && options.output_file.empty()) {
     print_result(for_window(start.explanation));
   } else {

@@ -33,14 +33,25 @@ constexpr const char* kRatio = "/gearbox/ratio";
 constexpr const char* kOfPhase = "phase";
 constexpr const char* kOfTerminals = "line_to_line";
 
-/// "93 mohm phase" as its number, its unit and the word behind it; or, in the place of a ratio, the
-/// document of the gearbox that has it.
+/// "> 93 mohm phase" as its number, its unit, the word behind it and what stands before it; or, in
+/// the place of a ratio, the document of the gearbox that has it.
 struct Typed {
   std::string file;
   double number = 0.0;
   std::string unit;
   std::string word;
+  std::string bound;  ///< As documents have it; empty: none.
 };
+
+/// How sheets print a bound.
+struct BoundMark {
+  std::string_view mark;
+  const char* bound;
+};
+
+constexpr BoundMark kBoundMarks[] = {
+    {">=", "at_least"}, {">", "at_least"}, {"\u2265", "at_least"}, {"at least", "at_least"},
+    {"<=", "at_most"},  {"<", "at_most"},  {"\u2264", "at_most"},  {"at most", "at_most"}};
 
 std::string without_blanks_around(std::string text) {
   text.erase(0, text.find_first_not_of(' '));
@@ -48,12 +59,32 @@ std::string without_blanks_around(std::string text) {
   return text;
 }
 
-std::optional<Typed> taken_apart(const SheetQuestion& question, const std::string& answer) {
+/// The answer without the mark of a bound that it begins with.
+std::string without_bound(const std::string& answer, Typed& typed) {
+  for (const BoundMark& each : kBoundMarks) {
+    if (!answer.starts_with(each.mark)) continue;
+    typed.bound = each.bound;
+    return without_blanks_around(answer.substr(each.mark.size()));
+  }
+  return answer;
+}
+
+/// "48 V" and "20 A" of "48 V, 20 A", which is one answer to the first question; else the second is
+/// empty.
+std::pair<std::string, std::string> parts_of(const SheetQuestion& question,
+                                             const std::string& answer) {
+  const std::size_t comma = answer.find(", ");
+  if (question.pointer != "/drive/bus_voltage_V" || comma == std::string::npos) return {answer, ""};
+  return {answer.substr(0, comma), without_blanks_around(answer.substr(comma + 2))};
+}
+
+std::optional<Typed> taken_apart(const SheetQuestion& question, const std::string& whole) {
   Typed typed;
-  if (question.pointer == kRatio && answer.ends_with(".json")) {
-    typed.file = answer;
+  if (question.pointer == kRatio && whole.ends_with(".json")) {
+    typed.file = whole;
     return typed;
   }
+  const std::string answer = without_bound(whole, typed);
   const char* end = answer.data() + answer.size();
   const auto [rest, error] = std::from_chars(answer.data(), end, typed.number);
   if (error != std::errc() || !std::isfinite(typed.number)) return std::nullopt;
@@ -71,8 +102,11 @@ ordered_json value_of(const Typed& typed) {
   const bool is_whole = std::abs(typed.number) < 1e9 && typed.number == std::round(typed.number);
   ordered_json number = typed.number;
   if (is_whole) number = static_cast<std::int64_t>(typed.number);
-  if (typed.unit.empty()) return number;
-  return {{"value", number}, {"unit", typed.unit}};
+  if (typed.unit.empty() && typed.bound.empty()) return number;
+  ordered_json value{{"value", number}};
+  if (!typed.unit.empty()) value["unit"] = typed.unit;
+  if (!typed.bound.empty()) value["bound"] = typed.bound;
+  return value;
 }
 
 /// A document whose shape is right, whatever stands beside the value that is looked at.
@@ -104,8 +138,10 @@ class Sheet {
   Sheet(const SheetAnswers& answers, std::filesystem::path folder) : folder_(std::move(folder)) {
     for (std::size_t i = 0; i < answers.size(); ++i) {
       if (answers[i].empty()) continue;
-      known_[std::string(kSheetQuestions[i].pointer)] =
-          *taken_apart(kSheetQuestions[i], answers[i]);
+      const auto [first, second] = parts_of(kSheetQuestions[i], answers[i]);
+      known_[std::string(kSheetQuestions[i].pointer)] = *taken_apart(kSheetQuestions[i], first);
+      if (second.empty()) continue;
+      known_[std::string(kSupplyCurrent.pointer)] = *taken_apart(kSupplyCurrent, second);
     }
   }
 
@@ -125,6 +161,7 @@ class Sheet {
     } else {
       add_envelope();
     }
+    assume_bounds();
     if (!assumed_.empty()) document_["assumed"] = assumed_;
     return {io::json_layout(document_), explanation_};
   }
@@ -147,6 +184,19 @@ class Sheet {
   void assume(const std::string& pointer, const std::string& why) {
     assumed_.push_back(pointer);
     explanation_ += fmt::format("{}: {}\n", pointer, why);
+  }
+
+  /// What a region needs as a number and the sheet bounds.
+  void assume_bounds() {
+    for (const char* block : {"motor", "drive", "envelope"}) {
+      if (!document_.contains(block)) continue;
+      for (const auto& [key, value] : document_[block].items()) {
+        if (!value.is_object() || !value.contains("bound")) continue;
+        assume(fmt::format("/{}/{}", block, key),
+               fmt::format("the sheet says {} that; a region takes the number itself",
+                           value["bound"] == "at_least" ? "at least" : "at most"));
+      }
+    }
   }
 
   void add_motor() {
@@ -210,6 +260,10 @@ class Sheet {
       explanation_ += "The peak current is the one that gives the peak torque: T / (Kt N eta).\n";
     }
     put("drive", "continuous_current_A", "/drive/continuous_current_A");
+    put("drive", "supply_current_A", "/drive/supply_current_A");
+    if (has("/drive/supply_current_A")) {
+      explanation_ += "Power drawn is at most the supply current times the bus voltage.\n";
+    }
     if (convention_ == CurrentConvention::kDc) return;
     document_["drive"]["modulation"] = "svpwm";
     assume("/drive/modulation", "as most drives work");
@@ -279,6 +333,9 @@ class Sheet {
       if (!is_of_winding || !known_.contains(question.pointer)) continue;
       names += (names.empty() ? "" : ", ") + std::string(question.name);
     }
+    if (has("/drive/supply_current_A")) {
+      names += (names.empty() ? "" : ", ") + std::string(kSupplyCurrent.name);
+    }
     if (!names.empty()) explanation_ += fmt::format("Not used: {}.\n", names);
   }
 
@@ -317,13 +374,19 @@ double Sheet::in_SI(const char* pointer) const {
   return value.is_object() ? value["value"].get<double>() : value.get<double>();
 }
 
-}  // namespace
+/// Voltage, ratio and supply current hold for all else, and are numbers.
+bool takes_bound(std::string_view pointer) {
+  return pointer != "/drive/bus_voltage_V" && pointer != "/gearbox/ratio" &&
+         pointer != kSupplyCurrent.pointer;
+}
 
-std::optional<std::string> sheet_objection(const SheetQuestion& question,
-                                           const std::string& answer) {
+std::optional<std::string> objection(const SheetQuestion& question, const std::string& answer) {
   const std::optional<Typed> number = taken_apart(question, answer);
   if (!number) {
     return fmt::format("\"{}\" does not begin with a number, as {} does", answer, question.example);
+  }
+  if (!number->bound.empty() && !takes_bound(question.pointer)) {
+    return fmt::format("\"{}\": {} is a number, not a bound", answer, question.name);
   }
   try {
     if (!number->file.empty()) check_gearbox(number->file);
@@ -332,6 +395,15 @@ std::optional<std::string> sheet_objection(const SheetQuestion& question,
     return fmt::format("\"{}\": {}", answer, error.faults().front().message);
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> sheet_objection(const SheetQuestion& question,
+                                           const std::string& answer) {
+  const auto [first, second] = parts_of(question, answer);
+  const auto wrong = objection(question, first);
+  return wrong || second.empty() ? wrong : objection(kSupplyCurrent, second);
 }
 
 SheetDocument sheet_document(const SheetAnswers& answers, const std::filesystem::path& folder) {

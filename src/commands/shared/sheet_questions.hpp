@@ -19,7 +19,9 @@ struct SheetQuestion {
 };
 
 inline constexpr std::array<SheetQuestion, 10> kSheetQuestions{{
-    {"/drive/bus_voltage_V", "Supply voltage", "The voltage at which the sheet's numbers hold.",
+    {"/drive/bus_voltage_V", "Supply voltage",
+     "At which the sheet's numbers hold; with the most current that it may draw, where the sheet "
+     "limits that: 48 V, 20 A.",
      "48 V"},
     {"/gearbox/ratio", "Gear ratio",
      "Turns of the rotor for one of the output; or a gearbox's document.", "9"},
@@ -39,6 +41,11 @@ inline constexpr std::array<SheetQuestion, 10> kSheetQuestions{{
     {"/motor/rotor_inertia_kg_m2", "Rotor inertia", "Of the rotor alone, before its gears.",
      "607 gcm2"},
 }};
+
+/// What stands behind the supply's voltage where a sheet prints it: "48 V, 20 A".
+inline constexpr SheetQuestion kSupplyCurrent{
+    "/drive/supply_current_A", "Supply current",
+    "The most that the drive draws from the supply, a direct current.", "20 A"};
 
 /// As typed, in the order of the questions; empty: unknown.
 using SheetAnswers = std::array<std::string, kSheetQuestions.size()>;

@@ -120,11 +120,13 @@ std::string drive_text(const DriveReport& drive) {
                          : margin_line(*drive.with_inertia));
 }
 
-std::string findings_text(const CheckReport& report) {
+std::string findings_text(const CheckReport& report, Severity least) {
   std::string text;
   for (const Finding& finding : report.findings) {
+    if (finding.severity < least) continue;
     text += fmt::format("{} [{}] {}\n", name_of(finding.severity), finding.rule, finding.sentence);
   }
+  if (least > Severity::kNote) return text;
   // What the regions leave out is said once for all joints that share it.
   std::vector<std::string> said;
   for (const DriveReport& drive : report.drives) {
@@ -137,11 +139,12 @@ std::string findings_text(const CheckReport& report) {
   return text;
 }
 
-std::string check_text(const std::string& trajectory, const CheckReport& report) {
+std::string check_text(const std::string& trajectory, const CheckReport& report, Severity least) {
   std::string text = fmt::format("{}: {}\n", trajectory, name_of(report.verdict));
   for (const DriveReport& drive : report.drives) text += drive_text(drive);
-  if (!report.findings.empty()) text += "\n";
-  return text + findings_text(report);
+  const std::string findings = findings_text(report, least);
+  if (!report.findings.empty() && !findings.empty()) text += "\n";
+  return text + findings;
 }
 
 }  // namespace torquewright::report

@@ -11,9 +11,12 @@ namespace torquewright::report {
 /// One actuator's part of it.
 std::string drive_text(const actuator::DriveReport& drive);
 
-/// Findings a line each, then what the regions leave out.
-std::string findings_text(const actuator::CheckReport& report);
+/// Findings of that severity and worse ones a line each; where all are listed, then what the
+/// regions leave out.
+std::string findings_text(const actuator::CheckReport& report,
+                          actuator::Severity least = actuator::Severity::kNote);
 
-std::string check_text(const std::string& trajectory, const actuator::CheckReport& report);
+std::string check_text(const std::string& trajectory, const actuator::CheckReport& report,
+                       actuator::Severity least = actuator::Severity::kNote);
 
 }  // namespace torquewright::report

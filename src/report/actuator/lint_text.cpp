@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 namespace torquewright::report {
 namespace {
 
@@ -114,11 +116,21 @@ std::string common_text(const CommonFactor& common) {
 
 }  // namespace
 
-std::string lint_text(const Report& report) {
+std::string lint_answer(const Report& report) {
+  const auto contradictions = std::count_if(
+      report.findings.begin(), report.findings.end(),
+      [](const actuator::lint::Finding& one) { return one.severity != actuator::Severity::kNote; });
+  if (contradictions == 0) return "pass: no contradiction";
+  return fmt::format("fail: {} contradiction{}", contradictions, contradictions == 1 ? "" : "s");
+}
+
+std::string lint_text(const Report& report, actuator::Severity least) {
   std::string text;
   for (const Examination& examination : report.examinations) text += examination_text(examination);
   if (report.common_factor) text += common_text(*report.common_factor);
-  for (const actuator::lint::Finding& finding : report.findings) text += finding_text(finding);
+  for (const actuator::lint::Finding& finding : report.findings) {
+    if (finding.severity >= least) text += finding_text(finding);
+  }
   if (report.findings.empty()) text += "\nno contradiction\n";
   return text + "\n" + kRounding;
 }

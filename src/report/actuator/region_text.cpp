@@ -112,6 +112,14 @@ std::string caveats(const MorHeader& header) {
 
 }  // namespace
 
+std::string region_answer(const MorHeader& header) {
+  const DrivingFigures figures =
+      driving_figures(Region(*header.actuator, header.conditions, header.side));
+  return fmt::format("{:.4g} Nm at rest, no load at {:.4g} rad/s, at most {:.4g} W",
+                     figures.stall_torque_Nm, figures.no_load_speed_rad_s,
+                     figures.greatest_power_W);
+}
+
 std::string region_text(const MorHeader& header, const std::string& file,
                         const std::vector<std::string>& derived) {
   const Region region(*header.actuator, header.conditions, header.side);

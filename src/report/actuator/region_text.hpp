@@ -13,4 +13,7 @@ namespace torquewright::report {
 std::string region_text(const actuator::MorHeader& header, const std::string& file,
                         const std::vector<std::string>& derived);
 
+/// In one line: what the drive has at rest, its speed without load and its most power.
+std::string region_answer(const actuator::MorHeader& header);
+
 }  // namespace torquewright::report

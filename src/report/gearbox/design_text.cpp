@@ -12,6 +12,7 @@
 #include "gearbox/topologies/short_loss_form.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "gearbox/train_parts.hpp"
+#include "io/text/number_text.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -212,11 +213,17 @@ std::string meshes_text(const Problem& problem, const DesignReport& report) {
   return text + loss_form_line(problem, report);
 }
 
+/// A margin is a difference: what rounding leaves of an equality is none.
+double known_margin(const ConstraintReport& constraint) {
+  return io::known(constraint.margin,
+                   std::max(std::abs(constraint.limit), std::abs(constraint.value)));
+}
+
 std::string constraints_text(const DesignReport& report) {
   std::string text = "  constraint    margin\n";
   for (const ConstraintReport& constraint : report.constraints) {
     text += fmt::format("  {} {:>+11.4g} {:<5}  {}\n",
-                        constraint.satisfied ? "ok      " : "VIOLATED", constraint.margin,
+                        constraint.satisfied ? "ok      " : "VIOLATED", known_margin(constraint),
                         constraint.unit == "1" ? "" : constraint.unit, constraint.sentence);
   }
   for (const Remark& remark : report.remarks) {
@@ -230,7 +237,7 @@ std::string tightest_text(const DesignReport& report) {
   constexpr std::size_t kShown = 3;
   std::vector<const ConstraintReport*> spare;
   for (const ConstraintReport& constraint : report.constraints) {
-    if (constraint.margin > 0.0 && constraint.limit != 0.0) spare.push_back(&constraint);
+    if (known_margin(constraint) > 0.0 && constraint.limit != 0.0) spare.push_back(&constraint);
   }
   const auto share = [](const ConstraintReport* constraint) {
     return constraint->margin / std::abs(constraint->limit);
@@ -246,6 +253,11 @@ std::string tightest_text(const DesignReport& report) {
   return text;
 }
 
+/// Of an objective whose name does not say it.
+std::string objective_meaning(Objective objective) {
+  return objective == Objective::kPaperCost ? ", the paper's sum of squares of tooth counts" : "";
+}
+
 }  // namespace
 
 std::string with_unit(double value, const std::string& unit) {
@@ -257,8 +269,9 @@ std::string design_summary(const Problem& problem, const DesignReport& report) {
   std::string text = teeth_text(problem, report.design);
   if (report.design.is_shifted()) text += shift_text(report);
   text += line("ring blank", ring_blank_text(problem, report));
-  text += line("objective", fmt::format("{} {}", objective_name(problem.objective),
-                                        with_unit(report.objective, report.objective_unit)));
+  text += line("objective", fmt::format("{} {}{}", objective_name(problem.objective),
+                                        with_unit(report.objective, report.objective_unit),
+                                        objective_meaning(problem.objective)));
   text += line("ratio", ratio_text(report)) + line("assembly", assembly_text(report));
   text += line("efficiency", efficiency_text(problem, report));
   text += line("hollow shaft", hollow_shaft_text(problem, report));
@@ -268,9 +281,12 @@ std::string design_summary(const Problem& problem, const DesignReport& report) {
   return text + line("backlash", backlash_text(report));
 }
 
+std::string strength_line(const Problem& problem, const DesignReport& report) {
+  return line("strength", strength_statement(problem, report.design));
+}
+
 std::string design_screen(const Problem& problem, const DesignReport& report) {
-  return design_summary(problem, report) +
-         line("strength", strength_statement(problem, report.design)) + tightest_text(report);
+  return design_summary(problem, report) + strength_line(problem, report) + tightest_text(report);
 }
 
 std::string design_text(const Problem& problem, const DesignReport& report) {

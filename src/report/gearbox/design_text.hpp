@@ -13,6 +13,9 @@ std::string with_unit(double value, const std::string& unit);
 /// Teeth, objective, ratio, assembly, efficiency, sizes, inertia and torques, a line each.
 std::string design_summary(const gearbox::Problem& problem, const gearbox::DesignReport& report);
 
+/// How much of the load the teeth bear, where one is stated; what is assumed for it.
+std::string strength_line(const gearbox::Problem& problem, const gearbox::DesignReport& report);
+
 /// The summary, what of the load its teeth bear, and the constraints that leave least.
 std::string design_screen(const gearbox::Problem& problem, const gearbox::DesignReport& report);
 

@@ -22,8 +22,9 @@ std::string assumed_text(const Problem& problem) {
 
 std::string proof_text(const DesignSearchResult& result) {
   return fmt::format(
-      "Search: {} boxes, {} Ipopt solves ({} boxes closed by their bounds), {} points looked at.\n",
-      result.search.nodes, result.search.relaxations, result.search.refuted_by_relaxation,
+      "Search: {} boxes (parts of the space of designs), {} of {} Ipopt solves closed theirs, {} "
+      "designs looked at.\n",
+      result.search.nodes, result.search.refuted_by_relaxation, result.search.relaxations,
       result.search.points_enumerated);
 }
 
@@ -141,18 +142,14 @@ std::string optimization_text(const Problem& problem, const DesignSearchResult& 
                          ? "optimal: proved, nothing is better.\n"
                          : "limit: the search was ended; what follows is the best so far.\n";
   text += fmt::format("Held fixed: {}.\n", held_fixed(problem));
-  if (has_all) {
-    for (const std::string& sentence : not_asked(problem, result.designs)) {
-      text += "Not asked: " + sentence + "\n";
-    }
-  }
+  if (has_all) text += "Not asked: strength; what the teeth bear stands with each design.\n";
   const Topology& topology = *find_topology(problem.topology);
   for (std::size_t i = 0; i < result.designs.size(); ++i) {
     DesignReport report = topology.evaluate(problem, result.designs[i]);
     report.objective = result.objectives[i];
     text += fmt::format("{}. ", i + 1);
-    text += i > 0     ? design_summary(problem, report)
-            : has_all ? design_text(problem, report)
+    text += i > 0     ? design_summary(problem, report) + strength_line(problem, report)
+            : has_all ? design_text(problem, report) + strength_line(problem, report)
                       : design_screen(problem, report);
   }
   for (const Design& tie : result.ties) {

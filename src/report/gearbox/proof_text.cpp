@@ -10,16 +10,15 @@ using gearbox::Verification;
 
 std::string counts_text(const gearbox::proof::Counts& counts) {
   return fmt::format(
-      "  {} boxes, {} cuts, {} splits; leaves: {} empty, {} enumerated ({} points), {} by "
-      "relaxation, "
-      "{} open\n",
+      "  {} boxes (parts of the space of designs), {} cuts, {} splits; leaves: {} empty, {} "
+      "enumerated ({} designs), {} by relaxation, {} open\n",
       counts.nodes, counts.cuts, counts.splits, counts.empty_leaves, counts.enumerated_leaves,
       counts.enumerated_points, counts.relaxation_leaves, counts.open_leaves);
 }
 
 std::string verdict_words(const Verification& found) {
   if (found.is_ended) {
-    return fmt::format("ended before the proof was checked to its end: {} boxes were.\n",
+    return fmt::format("ended before the proof was checked to its end: {} of its boxes were.\n",
                        found.counts.nodes);
   }
   if (found.is_accepted) {

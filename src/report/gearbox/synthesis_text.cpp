@@ -44,7 +44,7 @@ std::string search_text(const SynthesisResult& result) {
   std::string text = fmt::format(
       "Search: {} choices of teeth, planets and modules meet ratio and assembly, {} were opened, "
       "{} "
-      "boxes.\n",
+      "boxes (parts of the space of sizes).\n",
       result.choices, result.opened, result.boxes);
   for (const auto& [name, count] : result.excluded_by) {
     text += fmt::format("  {} of them excluded by {} alone\n", count, name);

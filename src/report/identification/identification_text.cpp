@@ -32,7 +32,7 @@ std::string rms(double value, const std::string& unit) {
   return value > 0.0 ? fmt::format("{:.4g} {}", value, unit) : "not measured";
 }
 
-std::string log_lines(const Identification& found) {
+std::string log_lines(const Identification& found, actuator::Severity least) {
   std::string text =
       line("1 log", fmt::format("fitted: {}; held out: {}", fmt::join(found.train_runs, ", "),
                                 found.holdout_runs.empty()
@@ -40,6 +40,7 @@ std::string log_lines(const Identification& found) {
                                     : fmt::format("{}", fmt::join(found.holdout_runs, ", "))));
   static constexpr const char* kWeights[] = {"note", "warning", "error"};
   for (const DataFinding& finding : found.findings) {
+    if (static_cast<int>(finding.weight) < static_cast<int>(least)) continue;  // of one order
     text += line(
         "", fmt::format("{}: {}", kWeights[static_cast<int>(finding.weight)], finding.sentence));
   }
@@ -286,7 +287,7 @@ std::string headline(const Identification& found, const IdentificationContext& c
 }  // namespace
 
 std::string identification_text(const Identification& found, const IdentificationContext& context) {
-  std::string text = headline(found, context) + "\n" + log_lines(found);
+  std::string text = headline(found, context) + "\n" + log_lines(found, context.least);
   const bool is_only = found.equations.size() == 1;
   for (const EquationResult& equation : found.equations) {
     text += is_only || is_of_interest(equation) ? equation_text(equation, context.select, is_only)

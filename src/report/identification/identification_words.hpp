@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "actuator/severity.hpp"
 #include "identification/answer/identify.hpp"
 
 namespace torquewright::report {
@@ -24,6 +25,8 @@ struct IdentificationContext {
   std::vector<bool> has_actuator_files = {};
   /// What is refined are values that a simulation of the robot gave, and not what equations named.
   bool is_fitted_by_simulation = false;
+  /// Of what is said of the log.
+  actuator::Severity least = actuator::Severity::kNote;
 };
 
 /// What texts and pictures of an identification share.

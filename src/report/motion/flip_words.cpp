@@ -85,10 +85,10 @@ std::string task_words(const PlanOptions& options, const PlanResult& result) {
 std::string flight_words(const PlanResult& result) {
   const PlannedPhase* flight = longest_flight(result.plan);
   if (flight == nullptr) return "";
-  std::string text =
-      fmt::format("{:.4f} s; CAM {:.4g} Nm s; CAV {:.4g} rad/s at take-off, {:.4g} at most",
-                  flight->end_s() - flight->begin_s(), result.angular_momentum_Nm_s,
-                  result.take_off_rad_s, result.peak_rad_s);
+  std::string text = fmt::format(
+      "{:.4f} s; angular momentum {:.4g} Nm s; turns at {:.4g} rad/s at take-off, {:.4g} at most",
+      flight->end_s() - flight->begin_s(), result.angular_momentum_Nm_s, result.take_off_rad_s,
+      result.peak_rad_s);
   constexpr double kLeastRate_rad_s = 0.1;  // of less a rise in per cent says nothing
   if (std::abs(result.take_off_rad_s) >= kLeastRate_rad_s) {
     text += fmt::format(" ({:+.1f} %)", 100.0 * (result.peak_rad_s / result.take_off_rad_s - 1.0));

@@ -125,7 +125,7 @@ std::string loads_table(const ReplayPage& page) {
   }
   return table_of("Loads of the transmissions",
                   {"drive", "passes the gears: joint, motor", "limit",
-                   "contacts ask for, J^T lambda: joint, motor"},
+                   "contacts ask for, by the joints' levers alone: joint, motor"},
                   rows);
 }
 

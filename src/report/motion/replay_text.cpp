@@ -48,7 +48,7 @@ std::string drive_lines(const ReplayResult& result, std::size_t index) {
   const ContactLoad& contact = result.contact_loads[index];
   return text + fmt::format(
                     "  contacts ask for {:.4g} Nm at the joint, {:.4g} Nm at the motor "
-                    "(J^T lambda, from t = {:.4f} s)\n",
+                    "(by the joints' levers alone, from t = {:.4f} s)\n",
                     contact.joint_Nm, contact.motor_Nm, contact.time_s);
 }
 
@@ -117,7 +117,8 @@ std::string trials_lines(const ReplayTrials& trials) {
 
 }  // namespace
 
-std::string replay_text(const Robot& robot, const Motion& motion, const ReplayReport& report) {
+std::string replay_text(const Robot& robot, const Motion& motion, const ReplayReport& report,
+                        actuator::Severity least) {
   const ReplayResult& result = report.result;
   std::string text =
       fmt::format("{}: {}\n", io::name_in_text(motion.file), name_of(result.outcome.verdict));
@@ -131,6 +132,7 @@ std::string replay_text(const Robot& robot, const Motion& motion, const ReplayRe
   if (report.trials) text += trials_lines(*report.trials);
   text += "\n";
   for (const Finding& finding : result.findings) {
+    if (finding.severity < least) continue;
     text += fmt::format("{} [{}] {}\n", actuator::name_of(finding.severity), finding.rule,
                         finding.sentence);
   }

@@ -8,8 +8,9 @@
 namespace torquewright::report {
 
 /// What `hopper replay` says: how it ended, each drive, the findings, and how much of it is the
-/// step's doing.
+/// step's doing. Findings of that severity and worse ones.
 std::string replay_text(const hopper::Robot& robot, const hopper::Motion& motion,
-                        const hopper::ReplayReport& report);
+                        const hopper::ReplayReport& report,
+                        actuator::Severity least = actuator::Severity::kNote);
 
 }  // namespace torquewright::report

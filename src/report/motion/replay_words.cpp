@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <numbers>
+#include <string_view>
+
+#include "io/text/shown_number.hpp"
 
 namespace torquewright::report {
 
@@ -17,17 +20,30 @@ std::string rotation_words(double short_rad) {
   return fmt::format("{:.3g} degrees {}", size, short_rad >= 0.0 ? "short" : "over");
 }
 
+/// What the controller does with the error around impacts.
+std::string_view impact_words(ImpactHandling handling) {
+  switch (handling) {
+    case ImpactHandling::kNoDerivative:
+      return "the error is blended out around impacts";
+    case ImpactHandling::kInvariant:
+      return "what an impact could change is blended out around it";
+    case ImpactHandling::kDefault:
+      break;
+  }
+  return "no special care at impacts";
+}
+
 }  // namespace
 
 std::string simulation_words(const ReplayOptions& options) {
   const double period_s = options.run.step_s * options.run.steps_per_control;
   std::string words = fmt::format(
       "{}, steps of {:.4g} ms; drives held to their {}; {} every {:.4g} ms, {:.4g} ms "
-      "late; at impacts {}",
+      "late; {}",
       options.engine->name, 1e3 * options.run.step_s,
       options.limits == DriveLimits::kBox ? "box" : "regions", options.controller->name,
       1e3 * period_s, 1e3 * options.run.step_s * options.run.latency_steps,
-      name_of(options.impact.handling));
+      impact_words(options.impact.handling));
   for (const Push& push : options.run.pushes) {
     const Eigen::Vector3d& impulse = push.impulse_N_s;
     words += fmt::format("; pushed by ({:g}, {:g}, {:g}) N s on {} at t = {:.4f} s", impulse.x(),
@@ -49,11 +65,15 @@ std::string deed_words(const Deed& deed) {
 }
 
 std::string ground_words(const TouchDownLoad& load) {
+  constexpr int kDigits = 3;
+  const auto part = [size = load.impulse_N_s.norm()](double one) {
+    return io::shown(one, size, kDigits);
+  };
   return fmt::format(
       "the ground gives ({:.3g}, {:.3g}, {:.3g}) N s in {:g} ms, {:.4g} N at most (mean of {:g} "
       "ms)",
-      load.impulse_N_s.x(), load.impulse_N_s.y(), load.impulse_N_s.z(), 1e3 * load.window_s,
-      load.peak_force_N, 1e3 * load.force_window_s);
+      part(load.impulse_N_s.x()), part(load.impulse_N_s.y()), part(load.impulse_N_s.z()),
+      1e3 * load.window_s, load.peak_force_N, 1e3 * load.force_window_s);
 }
 
 std::string end_words(const Motion& motion, const ReplayOutcome& outcome) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "src/interrupt.hpp"
+#include "src/loudness.hpp"
 #include "src/sweep/sweep.hpp"
 
 namespace torquewright::report {
@@ -35,7 +36,8 @@ ProgressListener::ProgressListener(std::function<void(const std::string&)> heard
 }
 ProgressListener::~ProgressListener() { listener() = nullptr; }
 
-ProgressLine::ProgressLine() : is_watched_(isatty(STDERR_FILENO) == 1 && !sweep::is_silent()) {}
+ProgressLine::ProgressLine()
+    : is_watched_(isatty(STDERR_FILENO) == 1 && !sweep::is_silent() && !cli::loudness().is_quiet) {}
 ProgressLine::~ProgressLine() { write(""); }
 
 void ProgressLine::show(const std::string& text) {

@@ -132,8 +132,8 @@ std::string calibration_provenance(const CalibrationReport& report, std::size_t 
 std::string calibration_text(const CalibrationReport& report) {
   std::string text = fmt::format("{}: {}\n", report.robot, calibration_verdict(report));
   text += fmt::format(
-      "CAM {:.4g} N m s about the pitch axis, conserved in flight; CAV = CAM/inertia of the "
-      "posture,\n"
+      "CAM, the angular momentum about the centre of mass, is {:.4g} N m s about the pitch axis\n"
+      "and conserved in flight; CAV = CAM/inertia of the posture,\n"
       "whatever the joints' speeds (with joints at rest it is the robot's own angular "
       "velocity).\n\n",
       report.question.figures.angular_momentum_Nm_s);

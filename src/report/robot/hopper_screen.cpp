@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "src/report/actuator/check_text.hpp"
 #include "src/report/robot/hopper_text.hpp"
 
 namespace torquewright::report {
@@ -103,9 +104,11 @@ std::string worst_findings(const CheckReport& check) {
 }  // namespace
 
 std::string hopper_screen(const hopper::Robot& robot, const hopper::Motion& motion,
-                          const hopper::HopperReport& report) {
-  return motion_text(robot, motion, report) + drive_table(report.check) +
-         worst_findings(report.check);
+                          const hopper::HopperReport& report, Severity least) {
+  const std::string begin = motion_text(robot, motion, report) + drive_table(report.check);
+  if (least == Severity::kNote) return begin + worst_findings(report.check);
+  const std::string findings = findings_text(report.check, least);
+  return begin + (findings.empty() ? "" : "\n" + findings);
 }
 
 }  // namespace torquewright::report

@@ -36,8 +36,8 @@ std::string motion_lines(const Robot& robot, const Motion& motion, const HopperR
   }
   for (const Flight& flight : report.flights) {
     text += fmt::format(
-        "  flight   {} to {} s, {:.3g} m up; CAM {:.4g} Nm s (drift {:.1g}); CAV {:.4g} "
-        "rad/s at take-off, {:.4g} at most, {:.4g} at the end\n",
+        "  flight   {} to {} s, {:.3g} m up; angular momentum {:.4g} Nm s (drift {:.1g}); turns at "
+        "{:.4g} rad/s at take-off, {:.4g} at most, {:.4g} at the end\n",
         io::time_text(flight.from_s, 4), io::time_text(flight.until_s, 4), flight.rise_m,
         io::known(flight.angular_momentum_Nm_s, kOne),
         io::known(flight.angular_momentum_drift_Nm_s, kOne), io::known(flight.take_off_rad_s, kOne),
@@ -129,13 +129,14 @@ std::string motion_text(const Robot& robot, const Motion& motion, const HopperRe
          motion_lines(robot, motion, report);
 }
 
-std::string hopper_text(const Robot& robot, const Motion& motion, const HopperReport& report) {
+std::string hopper_text(const Robot& robot, const Motion& motion, const HopperReport& report,
+                        actuator::Severity least) {
   std::string text = motion_text(robot, motion, report);
   for (std::size_t i = 0; i < report.check.drives.size(); ++i) {
     text += drive_text(report.check.drives[i]);
     if (i < report.transmission_loads.size()) text += load_lines(report, i);
   }
-  return text + "\n" + findings_text(report.check);
+  return text + "\n" + findings_text(report.check, least);
 }
 
 }  // namespace torquewright::report

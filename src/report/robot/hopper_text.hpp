@@ -11,9 +11,11 @@ namespace torquewright::report {
 std::string motion_text(const hopper::Robot& robot, const hopper::Motion& motion,
                         const hopper::HopperReport& report);
 
-/// All that `hopper check` can say: the verdict, the motion as a whole, each drive, the findings.
+/// All that `hopper check` can say: the verdict, the motion as a whole, each drive, the findings of
+/// that severity and worse ones.
 std::string hopper_text(const hopper::Robot& robot, const hopper::Motion& motion,
-                        const hopper::HopperReport& report);
+                        const hopper::HopperReport& report,
+                        actuator::Severity least = actuator::Severity::kNote);
 
 /// A table a drivetrain: who passes, by margin, and why the others do not.
 std::string candidates_text(const hopper::Robot& robot,

@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+
+#include "io/text/number_text.hpp"
+#include "io/text/unit_scales.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -54,12 +58,31 @@ std::vector<std::string> measure_names(const Swept& swept) {
   return {};
 }
 
-std::string value_in(const SweptPoint& point, const std::string& name) {
-  if (!point.row) return "";
+std::optional<double> value_of(const SweptPoint& point, const std::string& name) {
+  if (!point.row) return std::nullopt;
   for (const sweep::Measure& measure : point.row->measures) {
-    if (measure.name == name && measure.value) return fmt::format("{:.4g}", *measure.value);
+    if (measure.name == name) return measure.value;
   }
-  return "-";
+  return std::nullopt;
+}
+
+/// Against which noise of a measure shows.
+std::vector<double> scales_of(const Swept& swept, const std::vector<std::string>& names) {
+  std::vector<double> sizes;
+  for (const std::string& name : names) {
+    double greatest = 0.0;
+    for (const SweptPoint& point : swept.points) {
+      greatest = std::max(greatest, std::abs(value_of(point, name).value_or(0.0)));
+    }
+    sizes.push_back(greatest);
+  }
+  return io::unit_scales(names, sizes);
+}
+
+std::string value_in(const SweptPoint& point, const std::string& name, double scale) {
+  if (!point.row) return "";
+  const std::optional<double> value = value_of(point, name);
+  return value ? fmt::format("{:.4g}", io::known(*value, scale)) : "-";
 }
 
 std::string shortened(const std::string& text) {
@@ -84,6 +107,7 @@ std::string reason(const SweptPoint& point) {
 
 std::string sweep_text(const Swept& swept) {
   const std::vector<std::string> names = measure_names(swept);
+  const std::vector<double> scales = scales_of(swept, names);
   const auto width = [](const std::string& name) { return std::max<std::size_t>(name.size(), 8); };
   std::string text = heading(swept);
   for (const SweptAxis& axis : swept.axes)
@@ -96,8 +120,8 @@ std::string sweep_text(const Swept& swept) {
       text += fmt::format("  {:>{}.6g}", point.values[i], width(swept.axes[i].name));
     }
     text += fmt::format("  {:<18}", status_of(point));
-    for (const std::string& name : names) {
-      text += fmt::format("  {:>{}}", value_in(point, name), width(name));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      text += fmt::format("  {:>{}}", value_in(point, names[i], scales[i]), width(names[i]));
     }
     const std::string why = reason(point);
     if (!why.empty()) text += "  " + why;

@@ -139,6 +139,12 @@ INSTANTIATE_TEST_SUITE_P(
         MistakenText{"a;b\n1;2\n1\t2\n",
                      "line 3: has 1 cells, the header has 2; separated otherwise than the header? "
                      "one table has one separator"},
+        MistakenText{"a,b,c\n1,2,3\n1;2,3\n",
+                     "line 3: has 2 cells, the header has 3; separated otherwise than the header? "
+                     "one table has one separator"},
+        MistakenText{"a;b;c\n1,5;2;3\n1.5,2,3\n",
+                     "line 3: has 1 cells, the header has 3; separated otherwise than the header? "
+                     "one table has one separator"},
         MistakenText{"a;b\n1.234,5;2\n", "line 2, column 1 (a): \"1.234,5\" is not a number"},
         MistakenText{"a,b\n1;2\n",
                      "line 2: has 1 cells, the header has 2; separated otherwise than the header? "

@@ -132,6 +132,11 @@ void with_drag(Actuator& document, double number) {
   document.datasheet->no_load_current_A = number;
 }
 
+void with_gap(Actuator& document, double number) {
+  document.effects.push_back({find_effect("backlash"), {0.004}, {}, false, ""});
+  document.datasheet->backlash_rad = number;
+}
+
 void back_emf(Actuator& document, double number) {
   document.motor.back_emf_constant_V_s_rad = number;
 }
@@ -142,6 +147,8 @@ void with_no_load_current(Actuator& document, double number) {
 }
 
 const Row kRows[] = {
+    // 0.0035...0.0045
+    {"gear-backlash", with_gap, 0.0034, 0.0035, 0.0045, 0.0046, Severity::kNote},
     // 24 / (Kt 10): 19.1235...19.2771
     {"no-load-speed", on_sheet<&Datasheet::no_load_speed_rad_s>, 19.11, 19.12, 19.28, 19.29,
      Severity::kWarning, 0.9, 1.1},

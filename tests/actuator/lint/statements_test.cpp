@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "actuator/effects/library.hpp"
 #include "tests/actuator/lint/sample.hpp"
 
 namespace torquewright::actuator::lint {
@@ -173,6 +175,70 @@ TEST(StatementsInLint, TakeAMaximumSpeedForNoNoLoadSpeed) {
     const auto found = finding(document, "maximum-speed");
     const bool is_doubted = found && found->sentence.ends_with("possible, but check it.");
     EXPECT_EQ(is_doubted, is_note) << speed_rad_s;
+  }
+}
+
+Statement bounded(const char* pointer, double printed, Bound bound) {
+  Statement statement{pointer, printed, std::nullopt, std::nullopt, std::nullopt, {}};
+  statement.bound = bound;
+  return statement;
+}
+
+// eta N Kt I is 0.945 * 10 * 0.1245 * 95.5 to 0.955 * 10 * 0.1255 * 96.5, 112.36 to 115.66 Nm; a
+// catalogue may state 72 % (constants and saturation) to 110 % of that, 80.9 to 127.22 Nm. A bound
+// is exact, and is contradicted from one side alone.
+TEST(StatementsInLint, HoldABoundFromOneSide) {
+  struct Case {
+    double torque_Nm;
+    Bound bound;
+    bool is_contradicted;
+  };
+  for (const Case& each : {Case{20, Bound::kAtLeast, false},
+                           {127.2, Bound::kAtLeast, false},
+                           {127.3, Bound::kAtLeast, true},
+                           {900, Bound::kAtLeast, true},
+                           {900, Bound::kAtMost, false},
+                           {81, Bound::kAtMost, false},
+                           {80.8, Bound::kAtMost, true},
+                           {20, Bound::kAtMost, true}}) {
+    Actuator document = sample();
+    document.datasheet->stall_current_A = 96;
+    document.datasheet->stall_torque_Nm = each.torque_Nm;
+    document.statements = {bounded("/datasheet/stall_torque_Nm", each.torque_Nm, each.bound)};
+    const auto found = finding(document, "stall-torque");
+    const bool is_contradicted = found && found->severity != Severity::kNote;
+    EXPECT_EQ(is_contradicted, each.is_contradicted) << each.torque_Nm;
+    const RoundedInterval stated = comparison(document, "stall-torque")->stated;
+    const bool is_least = each.bound == Bound::kAtLeast;
+    EXPECT_EQ(stated.low, is_least ? each.torque_Nm : 0.0);
+    EXPECT_EQ(stated.high, is_least ? kUnlimited : each.torque_Nm);
+  }
+}
+
+// R at most 0.25 lets at least 24 / 0.25 A through: what follows from a bound is one.
+TEST(StatementsInLint, DeriveABoundFromABound) {
+  Actuator document = sample();
+  document.statements = {bounded("/motor/resistance_ohm", 0.25, Bound::kAtMost)};
+  document.datasheet->stall_current_A = 500;
+  const Comparison comparison_of_stall = comparison(document, "stall-current").value();
+  EXPECT_EQ(with_interval(comparison_of_stall.expected, "A"), "at least 96 A");
+  EXPECT_TRUE(comparison_of_stall.agrees);
+  document.datasheet->stall_current_A = 60;
+  EXPECT_GT(finding(document, "stall-current")->severity, Severity::kNote);
+}
+
+// A gap of 0.004 rad is 0.0035 to 0.0045, 12.03 to 15.47 arcmin.
+TEST(StatementsInLint, HoldTheDeclaredGapAgainstTheSheetsBacklash) {
+  Actuator document = sample();
+  document.effects.push_back({find_effect("backlash"), {0.004}, {}, false, ""});
+  constexpr double kArcmin_rad = std::numbers::pi / 180.0 / 60.0;
+  for (const auto& [arcmin, agrees] :
+       {std::pair{10.0, false}, {12.0, false}, {12.1, true}, {15.5, true}}) {
+    document.datasheet->backlash_rad = arcmin * kArcmin_rad;
+    document.statements = {
+        bounded("/datasheet/backlash_rad", arcmin * kArcmin_rad, Bound::kAtMost)};
+    EXPECT_EQ(comparison(document, "gear-backlash")->agrees, agrees) << arcmin;
+    EXPECT_FALSE(has_contradiction(examine_all(std::vector{document}))) << arcmin;
   }
 }
 

@@ -53,6 +53,31 @@ TEST(ReadLog, ScalesAndSorts) {
   EXPECT_EQ(result.log.holdout_runs, std::vector<std::string>{"b"});
 }
 
+// Oracle: the names. A scale of the rig's may stand for whatever the name says.
+TEST(ReadLog, DoubtsUnitsThatContradictANameOrARow) {
+  const auto doubt = [](const nlohmann::json& use, const std::string& name,
+                        const std::string& row) {
+    nlohmann::json rig = test::rig_json({{"t", "time_s"}});
+    rig["columns"][name] = use;
+    const std::string log = "t," + name + "\n" + row + "0,1\n0.01,2\n0.02,4\n";
+    const std::string said = read({{"a.csv", log}}, rig).finding("is read in").sentence;
+    return said.substr(std::min(said.find('"'), said.size()));  // behind the file
+  };
+  const char* velocity = "output_velocity_rad_s";
+  EXPECT_EQ(doubt(velocity, "speed_rpm", ""),
+            "\"speed_rpm\" is read in rad/s, since the rig states no unit, though its name "
+            "ends in rpm");
+  EXPECT_EQ(doubt({{"quantity", velocity}, {"unit", "deg/s"}}, "speed [rpm]", ""),
+            "\"speed [rpm]\" is read in deg/s, as the rig says, though its name ends in rpm");
+  EXPECT_EQ(doubt({{"quantity", velocity}, {"unit", "rpm"}}, "speed", "s,deg/s\n"),
+            "\"speed\" is read in rpm, as the rig says, though the row under the header says "
+            "deg/s");
+  EXPECT_EQ(doubt({{"quantity", velocity}, {"unit", "rpm"}}, "speed_rpm", ""), "");
+  EXPECT_EQ(doubt({{"quantity", velocity}, {"scale", 0.1}}, "speed_rpm", ""), "");
+  EXPECT_EQ(doubt(velocity, "speed_rad_s", ""), "");
+  EXPECT_EQ(doubt(velocity, "speed", "s,rpm\n"), "");
+}
+
 // Oracle: the numbers by hand. The rig's unit goes before the row's; a row that contradicts the
 // quantity is refused.
 TEST(ReadLog, TakesTheUnitsUnderTheHeader) {
