@@ -310,7 +310,9 @@ TEST(MotorRange, StopsAtTheSupplysCurrent) {
   };
   EXPECT_NEAR(range_of({}).greatest.torque_Nm, torque_at(600.0), 1e-10);
   EXPECT_EQ(range_of({}).greatest.limiter, Limiter::kBatteryPower);
-  EXPECT_NEAR(range_of({.bus_voltage_V = 60.0}).greatest.torque_Nm, torque_at(720.0), 1e-10);
+  OperatingConditions higher;
+  higher.bus_voltage_V = 60.0;
+  EXPECT_NEAR(range_of(higher).greatest.torque_Nm, torque_at(720.0), 1e-10);
   actuator.battery = Battery{};
   actuator.battery->cell_open_circuit = {{1.0, 50.0}};
   actuator.battery->cell_resistance_ohm = 0.1;

@@ -59,10 +59,12 @@ TEST(RunResults, SayWhatEachModelLeavesOfEachRun) {
     }
     ASSERT_FALSE(run.left_before.value.empty());
     for (const double left : run.left_before.value) {
-      if (!std::isnan(left)) EXPECT_NEAR(left, 0.5, 0.05);
+      if (std::isnan(left)) continue;
+      EXPECT_NEAR(left, 0.5, 0.05);
     }
     for (const double left : run.left_after.value) {
-      if (!std::isnan(left)) EXPECT_NEAR(left, 0.0, 0.05);
+      if (std::isnan(left)) continue;
+      EXPECT_NEAR(left, 0.0, 0.05);
     }
   }
   EXPECT_DOUBLE_EQ(worst_held_out, torque.after.holdout_rms);
@@ -103,7 +105,8 @@ TEST(RunResults, HaveTheDrivesChannelOnItsOwnSideOfThePrediction) {
       EXPECT_NEAR(run.measured.value[i] - run.stated.value[i], 0.5, 0.05);
     }
     for (const double left : run.left_before.value) {
-      if (!std::isnan(left)) EXPECT_NEAR(left, 0.5, 0.05);
+      if (std::isnan(left)) continue;
+      EXPECT_NEAR(left, 0.5, 0.05);
     }
   }
 }
