@@ -39,7 +39,8 @@ actuator::Actuator bought(const Shop& shop, double ratio) {
   actuator.motor.torque_constant_Nm_A = shop.kt;
   actuator.motor.resistance_ohm = shop.ohm;
   actuator.motor.rotor_inertia_kg_m2 = shop.rotor_kg_m2;
-  actuator.drive = {shop.volt, shop.ampere, {}, actuator::Modulation::kSvpwm};
+  actuator.drive = {
+      .bus_voltage_V = shop.volt, .peak_current_A = shop.ampere, .continuous_current_A = {}};
   actuator.transmission.ratio = ratio;
   actuator.transmission.forward_efficiency = shop.forward;
   actuator.transmission.backward_efficiency = shop.backward;

@@ -31,7 +31,7 @@ Drivetrain drive_of(std::size_t joint, double ratio, double rotor_kg_m2) {
   actuator.motor.torque_constant_Nm_A = 0.5;
   actuator.motor.resistance_ohm = 0.1;
   actuator.motor.rotor_inertia_kg_m2 = rotor_kg_m2;
-  actuator.drive = {100, 100, {}, actuator::Modulation::kSvpwm};
+  actuator.drive = {.bus_voltage_V = 100, .peak_current_A = 100, .continuous_current_A = {}};
   actuator.transmission.ratio = ratio;
   drivetrain.actuators = {actuator};
   drivetrain.actuator_names = {"drive"};

@@ -215,7 +215,8 @@ Robot lever() {
   ankle.actuators.resize(1);
   ankle.actuators[0].motor.torque_constant_Nm_A = 0.44;
   ankle.actuators[0].motor.resistance_ohm = 0.35;
-  ankle.actuators[0].drive = {67.2, 50, {}, actuator::Modulation::kSvpwm};
+  ankle.actuators[0].drive = {
+      .bus_voltage_V = 67.2, .peak_current_A = 50, .continuous_current_A = {}};
   ankle.actuators[0].transmission.ratio = 8;
   ankle.actuator_names = {"ankle"};
   ankle.actuator_files = {"ankle.json"};

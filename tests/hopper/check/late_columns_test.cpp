@@ -35,7 +35,7 @@ Robot driven_arm(double bus_V) {
   actuator::Actuator actuator;
   actuator.motor.torque_constant_Nm_A = 20.0;
   actuator.motor.resistance_ohm = 8.0;
-  actuator.drive = {bus_V, 1000, {}, actuator::Modulation::kSvpwm};
+  actuator.drive = {.bus_voltage_V = bus_V, .peak_current_A = 1000, .continuous_current_A = {}};
   actuator.transmission.ratio = 1.0;
   drivetrain.actuators = {actuator};
   drivetrain.actuator_names = {"drive"};

@@ -35,7 +35,7 @@ Robot pendulum() {
   actuator::Actuator actuator;
   actuator.motor.torque_constant_Nm_A = 1.0;
   actuator.motor.resistance_ohm = 0.01;
-  actuator.drive = {1e5, 1e5, {}, actuator::Modulation::kSvpwm};
+  actuator.drive = {.bus_voltage_V = 1e5, .peak_current_A = 1e5, .continuous_current_A = {}};
   actuator.transmission.ratio = 1.0;
   drivetrain.actuators = {actuator};
   drivetrain.actuator_names = {"hinge"};

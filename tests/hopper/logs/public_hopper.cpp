@@ -39,7 +39,7 @@ void add_drives(hopper::Robot& robot) {
     actuator::Actuator actuator;
     actuator.motor.torque_constant_Nm_A = 1.0;
     actuator.motor.resistance_ohm = 0.01;
-    actuator.drive = {1000, 1000, {}, actuator::Modulation::kSvpwm};
+    actuator.drive = {.bus_voltage_V = 1000, .peak_current_A = 1000, .continuous_current_A = {}};
     actuator.transmission.ratio = 1.0;
     drivetrain.actuators = {actuator};
     drivetrain.actuator_names = {robot.tree.bodies[body].joint.name};
