@@ -2,10 +2,25 @@
 #include "tests/cli/no_number.hpp"
 
 #include <cctype>
+#include <string_view>
 
 namespace torquewright::test {
+namespace {
 
-bool says_no_number(const std::string& text) {
+/// A page without the library that draws on it, whose own warnings speak of NaN.
+std::string without_library(std::string page) {
+  constexpr std::string_view kBegin = "<script>/* SPDX-License-Identifier: MIT";
+  constexpr std::string_view kEnd = "</script>";
+  const std::size_t begin = page.find(kBegin);
+  if (begin == std::string::npos) return page;
+  const std::size_t end = page.find(kEnd, begin);
+  return end == std::string::npos ? page : page.erase(begin, end - begin);
+}
+
+}  // namespace
+
+bool says_no_number(const std::string& whole) {
+  const std::string text = without_library(whole);
   const auto is_alphanumeric = [&](std::size_t at) {
     return at < text.size() && std::isalnum(static_cast<unsigned char>(text[at])) != 0;
   };

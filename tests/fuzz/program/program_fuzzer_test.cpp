@@ -134,10 +134,12 @@ TEST(ProgramRules, TakeForAJournalOnlyWhatIsNamedSo) {
 }
 
 TEST(ProgramRules, KnowWhatIsNoNumber) {
-  for (const char* text : {"torque -nan Nm", "inf", "[inf,1]", "to inf.", "nan,nan"}) {
+  for (const char* text : {"torque -nan Nm", "inf", "[inf,1]", "to inf.", "nan,nan",
+                           "<script>/* SPDX-License-Identifier: MIT\n*/</script>is NaN"}) {
     EXPECT_TRUE(test::says_no_number(text)) << text;
   }
-  for (const char* text : {"information, inf_x, financial", "inf.json is not here"}) {
+  for (const char* text : {"information, inf_x, financial", "inf.json is not here",
+                           "<script>/* SPDX-License-Identifier: MIT\n*/ is NaN</script>"}) {
     EXPECT_FALSE(test::says_no_number(text)) << text;
   }
 }
