@@ -74,8 +74,7 @@ SheetAnswers ask_sheet(const Objection& objection) {
   const bool is_asked = isatty(STDIN_FILENO) == 1;
   SheetAnswers answers;
   if (is_asked) {
-    say("Numbers as the sheet prints them, with their units, and with > or < where it prints a "
-        "bound; Enter alone: it prints none.\n");
+    say("Numbers as printed, with units; > or < where a bound stands; Enter alone: none.\n");
   }
   for (std::size_t i = 0; i < answers.size(); ++i) {
     answers[i] = is_asked ? asked(i, objection) : read(i, objection);

@@ -20,8 +20,7 @@ struct SheetQuestion {
 
 inline constexpr std::array<SheetQuestion, 10> kSheetQuestions{{
     {"/drive/bus_voltage_V", "Supply voltage",
-     "At which the sheet's numbers hold; with the most current that it may draw, where the sheet "
-     "limits that: 48 V, 20 A.",
+     "The sheet's numbers hold there; with its current's limit: 48 V, 20 A.",
      "48 V"},
     {"/gearbox/ratio", "Gear ratio",
      "Turns of the rotor for one of the output; or a gearbox's document.", "9"},
