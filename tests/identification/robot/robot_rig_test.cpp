@@ -166,6 +166,7 @@ TEST(RobotRig, RefusesWhatIsNotTheRobots) {
             std::string::npos);
   rig = test::leg_rig_json();
   rig["load"]["held_rad"] = {{"hip_joint", 0.0}};
+  rig["columns"]["hip_rad"] = {{"quantity", "output_position_rad"}, {"joint", "hip_joint"}};
   EXPECT_NE(refusal_of(rig).find("is in the log as well"), std::string::npos);
 }
 
