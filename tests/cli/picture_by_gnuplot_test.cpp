@@ -79,7 +79,7 @@ TEST(PictureByGnuplot, NeedsNoScreen) {
 TEST(PictureByGnuplot, IsNotCutOffByTheLimitOfAFile) {
   for (const std::string picture : {"region.svg", "region.png"}) {
     Workplace place;
-    place.here.file_size_limit = 8192;
+    place.here.file_size_limit = 16384;  // More than what gnuplot is told, less than a picture.
     const Outcome outcome = draw(place, picture);
     EXPECT_EQ(outcome.exit_code, 2) << picture;
     EXPECT_TRUE(outcome.err.starts_with("--plot: gnuplot")) << outcome.err;

@@ -120,7 +120,7 @@ TEST_F(ReplayPage, SaysHowItEndedAndWhereTorqueWasCutOff) {
   const std::string reason = browser().value_of("document.querySelector('.reason').textContent");
   EXPECT_NE(reason.find("on the ground"), std::string::npos) << reason;
   const std::string text = browser().value_of("document.querySelector('main').textContent");
-  for (const char* words : {"than planned; rotation", "passes the gears", "J^T lambda"}) {
+  for (const char* words : {"than planned; rotation", "passes the gears", "contacts ask for"}) {
     EXPECT_NE(text.find(words), std::string::npos) << words;
   }
   EXPECT_GT(browser().value_of("document.querySelectorAll('svg.chart .violated').length"), 0);

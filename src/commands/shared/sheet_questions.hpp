@@ -20,8 +20,7 @@ struct SheetQuestion {
 
 inline constexpr std::array<SheetQuestion, 10> kSheetQuestions{{
     {"/drive/bus_voltage_V", "Supply voltage",
-     "The sheet's numbers hold there; with its current's limit: 48 V, 20 A.",
-     "48 V"},
+     "The sheet's numbers hold there; with its current's limit: 48 V, 20 A.", "48 V"},
     {"/gearbox/ratio", "Gear ratio",
      "Turns of the rotor for one of the output; or a gearbox's document.", "9"},
     {"/drive/peak_torque_Nm", "Peak torque", "The most torque at the output for seconds.", "30 Nm"},
