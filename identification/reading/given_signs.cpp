@@ -53,7 +53,8 @@ void require_magnitudes(const Rig& rig, const ChannelKey& key, const Run& run) {
 }
 
 void give_sign(const Rig& rig, const ChannelKey& key, Log& log) {
-  const auto& [joint, quantity] = key;
+  const std::size_t joint = key.first;
+  const Quantity quantity = key.second;
   if (!log.runs.has(joint, Quantity::kCommandedTorque) || log.runs.head(0).is_map) {
     io::refuse(rig.file,
                describe(key, rig) +

@@ -72,7 +72,7 @@ double capsule_radius_m(double mass_kg, double length_m) {
 std::optional<DrawnBox> box_of_inertia(const dynamics::RigidInertia& inertia) {
   if (!(inertia.mass_kg > 0.0)) return std::nullopt;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(inertia.inertia_kg_m2);
-  const Vector3d I = principal.eigenvalues();
+  const Vector3d& I = principal.eigenvalues();
   // Of a box: I_x = m (b^2 + c^2) / 3 with half lengths a, b, c.
   const Vector3d squares = (Vector3d::Constant(I.sum()) - 2.0 * I) * 1.5 / inertia.mass_kg;
   if (!(squares.minCoeff() > 0.0)) return std::nullopt;
