@@ -92,10 +92,11 @@ const PrintedUnit* find_printed(const std::string& name, const std::string& of_k
   return nullptr;
 }
 
-std::vector<std::string> printed_names(const std::string& of_key) {
+std::vector<std::string> printed_names(const std::string& of_key, bool takes_ampere) {
   std::vector<std::string> names;
   for (const PrintedUnit& unit : kPrintedUnits) {
-    if (unit.of_key == of_key) names.emplace_back(unit.name);
+    const bool is_taken = unit.ampere == nullptr || takes_ampere;
+    if (unit.of_key == of_key && is_taken) names.emplace_back(unit.name);
   }
   return names;
 }
@@ -180,7 +181,7 @@ class UnitTaker {
   void convert(json& value, const UnitKey& key, const std::string& name, const std::string& path) {
     const PrintedUnit* unit = find_printed(name, key.unit);
     if (unit == nullptr || (unit->ampere != nullptr && !key.takes_ampere)) {
-      const std::vector<std::string> names = printed_names(key.unit);
+      const std::vector<std::string> names = printed_names(key.unit, key.takes_ampere);
       faults_.push_back({file_, path + "/unit",
                          fmt::format("\"{}\" is none of {}, the units of this key", name,
                                      names.empty() ? key.unit : listed(names))});

@@ -70,5 +70,13 @@ TEST(StatedUnits, OfAnotherKindAreFaults) {
   }
 }
 
+// A supply's current is no phase's: amperes of a phase are neither taken nor offered.
+TEST(StatedUnits, OfAPhaseAreNotOfferedForASupply) {
+  const json document = {{"drive", {{"supply_current_A", {{"value", 10}, {"unit", "A_rms"}}}}}};
+  const Taken read = taken(document);
+  ASSERT_EQ(read.faults.size(), 1u);
+  EXPECT_EQ(read.faults[0].message, "\"A_rms\" is none of A, mA, the units of this key");
+}
+
 }  // namespace
 }  // namespace torquewright::io
