@@ -214,15 +214,21 @@ void add_warm_options(Command& command, HopperFlipRequest& request) {
       .stated_as("contact_speed_m_s", kWarmPlace);
 }
 
-/// Of a sweep: whether its plans survive.
-void add_trial_options(Command& command, SweptTrials& trials) {
+/// Whether plans survive.
+void add_trial_options(Command& command, HopperFlipRequest& request) {
+  SweptTrials& trials = request.trials;
+  command
+      .add_option("--robust", request.robust_file,
+                  "Document of kind randomisation: plan with reserves from --reserve on, try each "
+                  "plan in --trials, and keep the one that most of them do")
+      .needs("--trials")
+      .stated_as("robust", kTrialsPlace);
   command
       .add_option("--trials", trials.count,
-                  "Replay each plan of the sweep so often, randomised, as hopper replay does: the "
-                  "share that does the motion and stands")
+                  "Replay each plan of --sweep or --robust so often, randomised, as hopper replay "
+                  "does: the share that does the motion and stands")
       .otherwise("none")
       .integer_between(1, 1000000)
-      .needs("--sweep")
       .stated_as("trials", kTrialsPlace);
   command
       .add_option("--randomise", trials.randomise_file,
@@ -304,7 +310,7 @@ void add_hopper_flip_options(Command& command, HopperFlipRequest& request) {
   add_search_options(command, request);
   add_warm_options(command, request);
   add_sweep_options(command, request.sweep);
-  add_trial_options(command, request.trials);
+  add_trial_options(command, request);
   add_motion_files(command, request);
   add_pictures(command, request);
 }

@@ -12,7 +12,7 @@
 
 namespace torquewright::cli {
 
-/// How often the plans of a sweep are replayed, each time as another robot.
+/// How often the plans of a sweep, or of a search for a reserve, are replayed, each time as another robot.
 struct SweptTrials {
   std::uint64_t count = 0;  ///< 0: not at all.
   std::string randomise_file;
@@ -42,6 +42,7 @@ struct HopperFlipRequest {
   HopperCheckRequest warm;
   SweepOptions sweep;
   SweptTrials trials;
+  std::string robust_file;  ///< Of kind randomisation, by whose trials the reserve is chosen.
   std::string motion_file;  ///< Of a sweep: its result.
   std::string best_file;    ///< For what comes closest where there is no plan.
   std::string momentum_file;

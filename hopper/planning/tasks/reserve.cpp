@@ -59,6 +59,8 @@ const MarginPart& tightest() {
 
 }  // namespace
 
+double greatest_reserve() { return most_reserve(tightest()); }
+
 PlanMargins with_reserve(double reserve) {
   const MarginPart& least = tightest();
   if (reserve > most_reserve(least)) {

@@ -27,4 +27,7 @@ const std::vector<MarginPart>& margin_parts();
 /// names the part and how much there is, where it is too great.
 PlanMargins with_reserve(double reserve);
 
+/// The greatest reserve that with_reserve() takes.
+double greatest_reserve();
+
 }  // namespace torquewright::hopper

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <optional>
 
 #include "io/faults/refusal.hpp"
 #include "src/commands/planning/hopper_flip_inputs.hpp"
 #include "src/commands/planning/hopper_flip_outputs.hpp"
+#include "src/commands/planning/hopper_flip_robust.hpp"
 #include "src/commands/planning/hopper_flip_sweep.hpp"
 #include "src/commands/robot/hopper_commands.hpp"
 #include "src/interrupt.hpp"
@@ -44,20 +46,43 @@ void require_single(const HopperFlipRequest& request) {
   if (request.motion_file.empty()) {
     io::refuse("--output", "is required: the CSV that the plan is written to");
   }
+  if (request.trials.count > 0 && request.robust_file.empty()) {
+    io::refuse("--trials", "is for --robust and --sweep: `hopper replay` tries a plan that is there");
+  }
   if (request.sweep.points.jobs > 0) io::refuse("--jobs", "is for --sweep");
   if (!request.sweep.points.journal_file.empty()) io::refuse("--sweep-journal", "is for --sweep");
 }
 
-ExitCode run_hopper_flip(const HopperFlipRequest& request) {
+/// --robust stands for trials of its document.
+HopperFlipRequest with_trials(HopperFlipRequest request) {
+  if (request.robust_file.empty()) return request;
+  if (!request.sweep.axes.empty()) {
+    io::refuse("--robust", "is of one robot: --sweep takes --reserve and --trials");
+  }
+  if (!request.trials.randomise_file.empty()) {
+    io::refuse("--randomise", "and --robust both name what trials draw: leave out --randomise");
+  }
+  request.trials.randomise_file = request.robust_file;
+  return request;
+}
+
+ExitCode run_hopper_flip(const HopperFlipRequest& stated) {
+  const HopperFlipRequest request = with_trials(stated);
   if (!request.sweep.axes.empty()) return run_hopper_flip_sweep(request);
   require_single(request);
   require_flip_outputs(request);
-  const HopperFlipInputs inputs = read_flip_inputs(request);
+  HopperFlipInputs inputs = read_flip_inputs(request);
   check_flip_files(request);  // now that the robot's files are known
   require_page("--report", request.report_file);
   catch_interrupt();
-  hopper::PlanResult result = plan(inputs);
-  write_flip_outputs(request, inputs, result);
+  std::optional<RobustChoice> robust;
+  hopper::PlanResult result;
+  if (request.robust_file.empty()) {
+    result = plan(inputs);
+  } else {
+    robust = plan_robustly(request, inputs, result);
+  }
+  write_flip_outputs(request, inputs, result, robust);
   return code_of(result.status);
 }
 

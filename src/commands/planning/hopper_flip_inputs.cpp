@@ -54,13 +54,6 @@ void set_distances(const HopperFlipRequest& request, hopper::PlanOptions& plan) 
   plan.speed_m_s = request.speed_m_s;
 }
 
-void set_margins(const HopperFlipRequest& request, hopper::PlanOptions& plan) {
-  plan.margins = hopper::with_reserve(plan.reserve);
-  for (std::size_t i = 0; i < request.margins.size(); ++i) {
-    if (request.margins[i]) plan.margins.*hopper::margin_parts()[i].margin = *request.margins[i];
-  }
-}
-
 /// Heights and speeds tell what touches where the motion does not.
 void require_search_for_contacts(const HopperFlipRequest& request, const hopper::Motion& motion) {
   if (!motion.has_touching && !motion.has_forces) return;
@@ -92,6 +85,13 @@ std::unique_ptr<hopper::Motion> read_warm(const HopperFlipRequest& request,
 }
 
 }  // namespace
+
+void set_margins(const HopperFlipRequest& request, hopper::PlanOptions& plan) {
+  plan.margins = hopper::with_reserve(plan.reserve);
+  for (std::size_t i = 0; i < request.margins.size(); ++i) {
+    if (request.margins[i]) plan.margins.*hopper::margin_parts()[i].margin = *request.margins[i];
+  }
+}
 
 HopperFlipInputs read_flip_inputs(const HopperFlipRequest& request) {
   HopperFlipInputs inputs;

@@ -21,4 +21,8 @@ struct HopperFlipInputs {
 /// Reads all documents and the motion to begin from. Throws io::SpecError.
 HopperFlipInputs read_flip_inputs(const HopperFlipRequest& request);
 
+/// The margins that the plan's reserve makes, with those that the request states by themselves.
+/// Throws io::SpecError where the reserve is too great.
+void set_margins(const HopperFlipRequest& request, hopper::PlanOptions& plan);
+
 }  // namespace torquewright::cli

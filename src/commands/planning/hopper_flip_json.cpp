@@ -25,10 +25,12 @@ std::vector<io::Document> read_documents(const HopperFlipInputs& inputs) {
 }  // namespace
 
 std::string hopper_flip_json(const HopperFlipRequest& request, const HopperFlipInputs& inputs,
-                             const hopper::PlanResult& result) {
+                             const hopper::PlanResult& result,
+                             const std::optional<RobustChoice>& robust) {
   const auto seconds =
       request.timing ? hopper::PlanSeconds::kStated : hopper::PlanSeconds::kLeftOut;
   ordered_json document = hopper::plan_report_json(inputs.plan, result, seconds);
+  if (robust) document["robust"] = robust_json(*robust);
   document["options"] = stated_json(*request.declared);
   return result_text(std::move(document), read_documents(inputs));
 }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
+
 #include "src/commands/planning/hopper_flip_inputs.hpp"
+#include "src/commands/planning/hopper_flip_robust.hpp"
 
 namespace torquewright::cli {
 
@@ -13,8 +16,8 @@ void check_flip_files(const HopperFlipRequest& request);
 
 /// Writes the files that were asked for, all or none, then stdout. The motion and its pictures are
 /// written of a plan alone; that they are not is said on stderr. The motion takes the name of the
-/// file that it goes to.
+/// file that it goes to. `robust`: how its reserve was chosen, if it was.
 void write_flip_outputs(const HopperFlipRequest& request, const HopperFlipInputs& inputs,
-                        hopper::PlanResult& result);
+                        hopper::PlanResult& result, const std::optional<RobustChoice>& robust);
 
 }  // namespace torquewright::cli

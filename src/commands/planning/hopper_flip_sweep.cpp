@@ -34,7 +34,7 @@ sweep::SweepRow row_at(const HopperFlipInputs& inputs, const std::optional<PlanT
   if (!trials) return row;
   std::optional<hopper::TrialOutcomes> outcomes;
   if (result.status == hopper::PlanStatus::kPlanned) {
-    outcomes = outcomes_of(*trials, check, robot, result);
+    outcomes = outcomes_of(*trials, check, robot, result, TrialThreads::kOne);
   }
   add_trials(outcomes, row);
   return row;

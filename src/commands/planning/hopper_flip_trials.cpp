@@ -5,6 +5,7 @@
 
 #include "hopper/check/hopper_check.hpp"
 #include "hopper/trials/run_trials.hpp"
+#include "src/interrupt.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -43,13 +44,15 @@ std::optional<PlanTrials> read_plan_trials(const HopperFlipRequest& request,
 }
 
 hopper::TrialOutcomes outcomes_of(const PlanTrials& trials, const hopper::CheckOptions& check,
-                                  const hopper::Robot& robot, const hopper::PlanResult& plan) {
+                                  const hopper::Robot& robot, const hopper::PlanResult& plan,
+                                  TrialThreads threads) {
   hopper::Motion motion = plan.motion;
   const hopper::HopperReport report = hopper::check_motion(robot, motion, check);
   const hopper::Replay replay(robot, motion, report, options_of(trials, check, robot));
   hopper::TrialRun run;
   run.count = trials.replay.trials;
-  run.threads = 1;  // each point has a process of its own
+  run.threads = threads == TrialThreads::kOne ? 1 : 0;
+  run.should_stop = is_interrupted;
   return hopper::run_trials(run, [&](std::size_t number) {
     return hopper::trial_outcome(
         replay.run_trial(trials.read.randomisation, trials.replay.seed, number, {}).result);

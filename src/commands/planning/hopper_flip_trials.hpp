@@ -22,9 +22,13 @@ struct PlanTrials {
 std::optional<PlanTrials> read_plan_trials(const HopperFlipRequest& request,
                                            const HopperFlipInputs& inputs);
 
-/// Replays a plan of the robot as often as asked for, in one thread. The outcomes are those of
-/// `hopper replay` of the plan's file. Throws io::SpecError where it cannot be replayed.
+/// A sweep's points have a process each, and one thread.
+enum class TrialThreads { kOne, kAll };
+
+/// Replays a plan of the robot as often as asked for. The outcomes are those of `hopper replay` of
+/// the plan's file, for any number of threads. Throws io::SpecError where it cannot be replayed.
 hopper::TrialOutcomes outcomes_of(const PlanTrials& trials, const hopper::CheckOptions& check,
-                                  const hopper::Robot& robot, const hopper::PlanResult& plan);
+                                  const hopper::Robot& robot, const hopper::PlanResult& plan,
+                                  TrialThreads threads);
 
 }  // namespace torquewright::cli

@@ -127,7 +127,7 @@ std::string flip_text(const FlipAnswer& answer) {
   text += motion_lines(answer);
   text += load_lines(result) + left_out_lines(result);
   text += margin_lines(result.least_margins);
-  text += reserve_lines(answer);
+  text += reserve_lines(answer) + answer.chosen_reserve;
   text += binding_lines(result.binding);
   text += round_lines(answer);
   text += change_lines(answer);

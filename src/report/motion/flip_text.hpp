@@ -14,6 +14,7 @@ struct FlipAnswer {
   const hopper::PlanOptions& options;
   const hopper::PlanResult& result;
   std::vector<std::string> next;  ///< What to do with it, a line each.
+  std::string chosen_reserve;     ///< How the reserve was chosen, in lines; empty: it was stated.
   bool has_seconds = false;       ///< Whether seconds are stated: then two runs differ in bytes.
 };
 

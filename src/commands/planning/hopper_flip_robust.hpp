@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+
+#include "hopper/planning/search/reserve_search.hpp"
+#include "src/commands/planning/hopper_flip_inputs.hpp"
+
+namespace torquewright::cli {
+
+/// How a reserve was chosen by trials.
+struct RobustChoice {
+  hopper::ReserveChoice choice;
+  hopper::TrialCounts fresh;       ///< Of the chosen plan, on draws that chose nothing.
+  hopper::TrialCounts fresh_least; ///< Of the least reserve's plan on the same; of none: no plan.
+  std::uint64_t fresh_seed = 0;
+};
+
+/// `hopper flip --robust FILE`: plans with reserves from --reserve on, replays each in trials, and
+/// leaves the chosen plan in `result` and its reserve in `inputs`; of no plan at all the least
+/// reserve's answer. Throws io::SpecError as a sweep with trials does.
+RobustChoice plan_robustly(const HopperFlipRequest& request, HopperFlipInputs& inputs,
+                           hopper::PlanResult& result);
+
+/// A line per reserve, and what fresh draws say.
+std::string robust_lines(const HopperFlipRequest& request, const RobustChoice& robust);
+nlohmann::ordered_json robust_json(const RobustChoice& robust);
+
+}  // namespace torquewright::cli
