@@ -218,18 +218,18 @@ void add_warm_options(Command& command, HopperFlipRequest& request) {
 void add_trial_options(Command& command, HopperFlipRequest& request) {
   SweptTrials& trials = request.trials;
   command
-      .add_option("--robust", request.robust_file,
-                  "Document of kind randomisation: plan with reserves from --reserve on, try each "
-                  "plan in --trials, and keep the one that most of them do")
-      .needs("--trials")
-      .stated_as("robust", kTrialsPlace);
-  command
       .add_option("--trials", trials.count,
                   "Replay each plan of --sweep or --robust so often, randomised, as hopper replay "
                   "does: the share that does the motion and stands")
       .otherwise("none")
       .integer_between(1, 1000000)
       .stated_as("trials", kTrialsPlace);
+  command
+      .add_option("--robust", request.robust_file,
+                  "Document of kind randomisation: plan with reserves from --reserve on, try each "
+                  "plan in --trials, and keep the one that most of them do")
+      .needs("--trials")
+      .stated_as("robust", kTrialsPlace);
   command
       .add_option("--randomise", trials.randomise_file,
                   "Document of kind randomisation, which says what differs from trial to trial")

@@ -3,6 +3,9 @@
 // What it shows is in the page's numbers under "view"; the page's own script says when.
 "use strict";
 
+const GRID_CELLS = 40; // To either side.
+const GRID_PIECE = 4; // Cells that one line passes.
+
 /** Float32 or Int16, as the report wrote them: little-endian, as every machine with a browser. */
 function decoded(text, Kind) {
   return new Kind(Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer);
@@ -351,18 +354,47 @@ class Stage {
     this.scene.add(sun);
   }
 
-  add_ground() {
-    // In short pieces: a line that passes the eye is not drawn by every driver.
+  /** Lines over both axes; in short pieces: one that passes the eye is not drawn by every driver. */
+  flat_lines() {
     const step = this.view.grid_m;
-    const cells = 40;
-    const piece = 4;
     const lines = [];
-    for (let i = -cells; i <= cells; ++i) {
-      for (let k = -cells; k < cells; k += piece) {
-        lines.push(i * step, k * step, 0, i * step, (k + piece) * step, 0);
-        lines.push(k * step, i * step, 0, (k + piece) * step, i * step, 0);
+    for (let i = -GRID_CELLS; i <= GRID_CELLS; ++i) {
+      for (let k = -GRID_CELLS; k < GRID_CELLS; k += GRID_PIECE) {
+        lines.push(i * step, k * step, 0, i * step, (k + GRID_PIECE) * step, 0);
+        lines.push(k * step, i * step, 0, (k + GRID_PIECE) * step, i * step, 0);
       }
     }
+    return lines;
+  }
+
+  /** The same at the height of each step of the ground, with the upright faces between them. */
+  stepped_lines() {
+    const step = this.view.grid_m;
+    const reach = GRID_CELLS * step;
+    const { edges_m, heights_m } = this.view;
+    const ends = [edges_m[0] - reach, ...edges_m, edges_m[edges_m.length - 1] + reach];
+    const lines = [];
+    const across = (x, z) => {
+      for (let k = -GRID_CELLS; k < GRID_CELLS; k += GRID_PIECE) {
+        lines.push(x, k * step, z, x, (k + GRID_PIECE) * step, z);
+      }
+    };
+    heights_m.forEach((z, level) => {
+      const [from, until] = [ends[level], ends[level + 1]];
+      const inside = [];
+      for (let i = Math.ceil(from / step); i * step < until; ++i) inside.push(i * step);
+      [from, ...inside, until].forEach((x) => across(x, z));
+      const pieces = [from, ...inside.filter((x, i) => i % GRID_PIECE === 0), until];
+      for (let k = -GRID_CELLS; k <= GRID_CELLS; ++k) {
+        pieces.slice(1).forEach((x, i) => lines.push(pieces[i], k * step, z, x, k * step, z));
+        if (level > 0) lines.push(from, k * step, heights_m[level - 1], from, k * step, z);
+      }
+    });
+    return lines;
+  }
+
+  add_ground() {
+    const lines = this.view.edges_m ? this.stepped_lines() : this.flat_lines();
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.Float32BufferAttribute(lines, 3));
     this.grid = new THREE.LineSegments(geometry, this.colours.grid);
@@ -426,8 +458,8 @@ class Stage {
       target.y = this.mass.position.y;
     }
     const step = this.view.grid_m;
-    this.grid.position.set(step * Math.round(target.x / step), step * Math.round(target.y / step),
-      this.view.ground_m);
+    const along = this.view.edges_m ? 0 : step * Math.round(target.x / step); // Edges stay.
+    this.grid.position.set(along, step * Math.round(target.y / step), this.view.ground_m);
   }
 }
 

@@ -147,6 +147,33 @@ TEST_F(HopperFlipSweep, TriesEachPlanAsItsReplayDoes) {
   EXPECT_EQ(swept["points"][0]["why"] == "", by_hand["succeeded"] == 4);
 }
 
+// Oracle: the plan that it writes, replayed by hand with the draws that chose it and with fresh ones.
+TEST_F(HopperFlipSweep, ChoosesAReserveByTrials) {
+  const std::string drawn = "specs/randomisation/hopper.json";
+  const Words robust{"--robust", drawn, "--trials", "3", "--controller", "pd", "--json"};
+  Words asked{"--reserve", "0.08", "-o", "plan.csv"};
+  asked.insert(asked.end(), robust.begin(), robust.end());
+  const Outcome outcome = jump(asked);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json plan = json::parse(outcome.out);
+  EXPECT_NO_THROW(io::check_document(plan, "plan_report", "report", ""));
+  const json& choice = plan["robust"];
+  EXPECT_EQ(plan["reserve"]["value"], choice["chosen"]);
+  EXPECT_EQ(choice["tried"][0]["reserve"], 0.08);
+  const auto by_hand = [&](const char* seed) {
+    return json::parse(place_
+                           .run({"hopper", "replay", "specs/robot/hopper.json", "plan.csv",
+                                 "--randomise", drawn, "--trials", "3", "--controller", "pd",
+                                 "--seed", seed, "--json"})
+                           .out)["trials"]["succeeded"];
+  };
+  for (const json& one : choice["tried"]) {
+    if (one["reserve"] == choice["chosen"]) EXPECT_EQ(one["trials"]["succeeded"], by_hand("1"));
+  }
+  EXPECT_EQ(choice["fresh_seed"], 2);
+  EXPECT_EQ(choice["fresh"]["succeeded"], by_hand("2"));
+}
+
 // A point without a plan has nothing to try.
 TEST_F(HopperFlipSweep, TriesNoMotionThatIsNoPlan) {
   const Outcome outcome = cut_short({"--sweep", "knee_ratio=20", "--trials", "2", "--randomise",
@@ -169,7 +196,14 @@ TEST_F(HopperFlipSweep, IsRefused) {
   expect_refusal({"--sweep", "hip_ratio=16"}, "knee_ratio");
   expect_refusal({"--sweep", "voltage=48", "--bus-voltage", "60"}, "one sets the other");
   expect_refusal({"-o", "plan.csv", "--jobs", "2"}, "is for --sweep");
-  expect_refusal({"-o", "plan.csv", "--trials", "2"}, "--sweep");
+  expect_refusal({"-o", "plan.csv", "--trials", "2"}, "is for --robust and --sweep");
+  const std::string drawn = "specs/randomisation/hopper.json";
+  expect_refusal({"-o", "plan.csv", "--robust", drawn}, "--trials");
+  expect_refusal({"-o", "plan.csv", "--robust", "no.json", "--trials", "2"}, "no.json");
+  expect_refusal({"-o", "plan.csv", "--robust", drawn, "--trials", "2", "--randomise", drawn},
+                 "leave out --randomise");
+  expect_refusal({"--sweep", "knee_ratio=16", "--robust", drawn, "--trials", "2"},
+                 "is of one robot");
   expect_refusal({"--sweep", "knee_ratio=16", "--trials", "2"}, "needs --randomise FILE");
   expect_refusal({"--sweep", "knee_ratio=16", "--controller", "pd"}, "--trials");
   expect_refusal({"-o", "plan.csv", "--sweep-journal", "journal"}, "is for --sweep");

@@ -125,9 +125,10 @@ TurningView replayed_view(const ReplayPage& page, const ShownRun& run,
     is.col(i) = row.position;
     should.col(i) = goal.position;
   }
-  return turning_view(
-      {page.robot, run.series, rows, cursor.forces, scale, page.report.options.run.ground_height_m},
-      is, should);
+  const hopper::RunOptions& options = page.report.options.run;
+  return turning_view({page.robot, run.series, rows, cursor.forces, scale,
+                       options.ground_height_m, options.profile},
+                      is, should);
 }
 
 std::string replay_player(const ReplayPage& page, const ShownRun& run) {

@@ -163,7 +163,7 @@ class Page {
 
   TurningView turned(const CursorSource& cursor) const {
     return turning_view({page_.robot, series_, samples_, cursor.forces, figure_->force,
-                         page_.options.contact.ground_height_m},
+                         page_.options.contact.ground_height_m, page_.motion.ground},
                         page_.motion.positions(Eigen::all, samples_), Eigen::MatrixXd());
   }
 

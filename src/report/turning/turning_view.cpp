@@ -123,6 +123,7 @@ TurningView turning_view(const ViewSource& source, const Eigen::MatrixXd& positi
   if (planned.cols() > 0) view.planned = body_poses(source.robot, planned);
   view.forces = source.forces;
   view.ground_m = source.ground_m;
+  view.profile = source.profile;
   frame(source, view);
   return view;
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hopper/check/series.hpp"
+#include "simulation/contact/ground_profile.hpp"
 #include "src/report/turning/body_poses.hpp"
 #include "src/report/turning/body_shapes.hpp"
 #include "src/report/turning/force_scale.hpp"
@@ -34,6 +35,7 @@ struct TurningView {
   std::optional<BodyPoses> planned = {};     ///< What should have been, if that is shown.
   std::vector<ForceColumns> forces = {};     ///< By contact point; empty: none is known.
   double ground_m = 0.0;
+  simulation::GroundProfile profile = {};  ///< Over that height.
   // What frames it.
   double size_m = 1.0;     ///< Of the robot itself.
   double longest_m = 0.0;  ///< Of the arrow of the greatest force.
@@ -50,6 +52,7 @@ struct ViewSource {
   const std::vector<ForceColumns>& forces;
   const ForceScale& scale;
   double ground_m = 0.0;
+  simulation::GroundProfile profile = {};  ///< Over that height.
 };
 /// Positions are those at the samples, a column each; `planned` may have none. The robot at all
 /// samples is in the picture, with the arrows of its forces, the greatest among them. The pointer

@@ -98,6 +98,13 @@ std::string poses(const BodyPoses& of) {
                      packed(of.turns));
 }
 
+/// Steps of the ground, where it has some.
+std::string steps(const simulation::GroundProfile& profile) {
+  if (profile.is_flat()) return "";
+  return fmt::format("\"edges_m\":[{:.6g}],\"heights_m\":[{:.6g}],",
+                     fmt::join(profile.edges_x_m, ","), fmt::join(profile.heights_m, ","));
+}
+
 std::string canvas(const std::string& robot_name) {
   std::string text = fmt::format(
       "<div class=\"view\" hidden>\n<canvas tabindex=\"0\" role=\"img\" aria-label=\"{} in three "
@@ -134,9 +141,9 @@ std::string view_words(const TurningView& view) {
 
 std::string view_json(const hopper::Robot& robot, const TurningView& view) {
   return fmt::format(
-      "{{\"bodies\":{},\n\"contacts\":{},\n\"ground_m\":{:.6g},\"grid_m\":{:.6g},\"size_m\":{:.6g},"
+      "{{\"bodies\":{},\n\"contacts\":{},\n\"ground_m\":{:.6g},{}\"grid_m\":{:.6g},\"size_m\":{:.6g},"
       "\"radius_m\":{:.6g},\"centre_m\":[{}],\"follows\":{},\n\"is\":{}{}}}",
-      bodies(robot, view), contacts(robot, view), view.ground_m, grid_m(view), view.size_m,
+      bodies(robot, view), contacts(robot, view), view.ground_m, steps(view.profile), grid_m(view), view.size_m,
       view.radius_m, numbers(view.center_m), view.follows, poses(view.is),
       view.planned ? ",\n\"planned\":" + poses(*view.planned) : "");
 }
