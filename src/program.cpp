@@ -38,6 +38,7 @@ void add_gearbox_commands(Command& program) {
   add_strength_command(gearbox);
   add_pareto_command(gearbox);
   add_drawing_command(gearbox);
+  add_tolerances_command(gearbox);
 }
 
 void add_actuator_commands(Command& program) {

@@ -54,8 +54,9 @@ TEST(BashCompletion, OffersCommandsOptionsAndWords) {
   if (!has_program("bash")) GTEST_SKIP() << "bash is not installed";
   const CompletionPlace place;
   EXPECT_EQ(offered_by_bash(place, {"gear"}), Words{"gearbox"});
-  EXPECT_EQ(offered_by_bash(place, {"gearbox", ""}),
-            (Words{"optimize", "evaluate", "verify", "strength", "pareto", "drawing"}));
+  EXPECT_EQ(
+      offered_by_bash(place, {"gearbox", ""}),
+      (Words{"optimize", "evaluate", "verify", "strength", "pareto", "drawing", "tolerances"}));
   EXPECT_EQ(offered_by_bash(place, {"gearbox", "optimize", "knee.json", "--rel"}),
             Words{"--relaxation"});
   EXPECT_EQ(offered_by_bash(place, {"gearbox", "optimize", "--relaxation", ""}),

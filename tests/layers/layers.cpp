@@ -62,6 +62,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"strength", {"teeth", "train", "constraints", "topologies"}},
       {"search", {"topologies"}},
       {"inspection", {"teeth"}},
+      {"tolerances", {"teeth", "train", "constraints"}},
       {"synthesis", {"teeth", "train", "constraints", "topologies", "strength", "search"}},
       {"front", {"constraints", "topologies", "search", "synthesis"}},
       {"proof/reading", {}},

@@ -12,5 +12,6 @@ void add_verify_command(command_line::Command& gearbox);
 void add_strength_command(command_line::Command& gearbox);
 void add_pareto_command(command_line::Command& gearbox);
 void add_drawing_command(command_line::Command& gearbox);
+void add_tolerances_command(command_line::Command& gearbox);
 
 }  // namespace torquewright::cli

@@ -10,7 +10,7 @@
 namespace torquewright::fuzz {
 namespace {
 
-constexpr std::array<std::string_view, 19> kOutputOptions{"--all",
+constexpr std::array<std::string_view, 20> kOutputOptions{"--all",
                                                           "-o",
                                                           "--output",
                                                           "--draw",
@@ -28,6 +28,7 @@ constexpr std::array<std::string_view, 19> kOutputOptions{"--all",
                                                           "--curve",
                                                           "--actuators",
                                                           "--dxf",
+                                                          "--step",
                                                           "--svg"};
 
 /// Of what is done point by point, beside its output (docs/sweeps.md).

@@ -26,6 +26,8 @@ gearbox verify tests/fuzz/corpus/result_conflict.json --json
 gearbox verify tests/fuzz/corpus/result_two_designs.json
 gearbox verify tests/fuzz/corpus/result_planetary.json --json
 gearbox drawing specs/gearbox/d151_knee_result.json --dxf gears.dxf --svg gears.svg
+gearbox drawing specs/gearbox/d151_knee_result.json --step gears.step --face-width 10,9 --bore planet_1=6,planet_2=6
+gearbox tolerances specs/gearbox/d151_knee_result.json --centre-distance 0.01 --tooth-thickness -0.06:-0.03,sun=-0.05:-0.02 --draws 200 --min-yield 0.9 --json
 gearbox strength specs/gearbox/d110a_strength.json --torque 21 --side motor
 gearbox strength specs/gearbox/d151_strength.json --torque 21,17 --face-widths 6,8 --modules 0.5,0.6 --json
 gearbox strength specs/gearbox/d151_knee_result.json --steel case_hardened --face-width 10 --torque 16 --cycles 1e6 --design 1
