@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -15,6 +14,7 @@
 #include "src/commands/gearbox/stated_limits.hpp"
 #include "src/commands/shared/result_json.hpp"
 #include "src/options/output_files.hpp"
+#include "src/report/gearbox/tolerance_json.hpp"
 #include "src/report/gearbox/tolerance_text.hpp"
 #include "src/standard_output.hpp"
 

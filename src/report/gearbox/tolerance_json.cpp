@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <nlohmann/json.hpp>
+#include "src/report/gearbox/tolerance_json.hpp"
 
-#include "src/report/gearbox/tolerance_text.hpp"
+#include <nlohmann/json.hpp>
 
 namespace torquewright::report {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "src/report/gearbox/tolerance_report.hpp"
@@ -9,8 +8,5 @@
 namespace torquewright::report {
 
 std::string tolerance_text(const ToleranceReport& report);
-
-/// A document of kind tolerance_report without its provenance.
-nlohmann::ordered_json tolerance_json(const ToleranceReport& report);
 
 }  // namespace torquewright::report
