@@ -88,7 +88,7 @@ ordered_json tolerance_json(const ToleranceReport& report) {
   document["demands"] = demands_json(report);
   document["yield"] = yield_json(report);
   const MissedDemands& missed = report.drawn.missed;
-  document["missed"] = {{"backlash", missed.backlash},
+  document["missed"] = {{"binding", missed.backlash},
                         {"contact_ratio", missed.contact_ratio},
                         {"tip_clearance", missed.tip_clearance},
                         {"output_backlash", missed.output_backlash}};
