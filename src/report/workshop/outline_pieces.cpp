@@ -15,7 +15,9 @@ using gearbox::Point;
 constexpr int kLeastDegree = 3;
 constexpr int kMostDegree = 7;
 constexpr int kMostHalvings = 8;
-constexpr int kChecks = 24;              // Parameters at which the deviation is measured.
+constexpr double kAskedShare =
+    0.5;                     // Of the deviation, at so many points: between them it is more.
+constexpr int kChecks = 24;  // Parameters at which the deviation is measured.
 constexpr double kLeastArc_rad = 1e-12;  // What rounding leaves of a root circle without a land.
 
 /// Bernstein's polynomials of a degree at t.
@@ -144,7 +146,8 @@ Point on_bezier(const std::vector<Point>& control, double t) {
 }
 
 std::vector<OutlinePiece> outline_pieces(const gearbox::ToothForm& form, double module_mm) {
-  const std::vector<OutlinePiece> pitch = pitch_pieces(form, kPieceDeviation_mm / module_mm);
+  const std::vector<OutlinePiece> pitch =
+      pitch_pieces(form, kAskedShare * kPieceDeviation_mm / module_mm);
   std::vector<OutlinePiece> pieces;
   for (std::int64_t tooth = 0; tooth < form.teeth; ++tooth) {
     const double angle_rad =
