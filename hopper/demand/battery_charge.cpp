@@ -39,8 +39,8 @@ Finding finding_of(const Drain& drain, std::size_t runs) {
   finding.limit = drain.left_Ah;
   finding.unit = "Ah";
   finding.sentence = fmt::format(
-      "a run of the motion takes {:.4g} Ah for {}, {:.3g} % of the {:.4g} Ah in the battery", drain.run_Ah,
-      io::listed(drain.drives), 100.0 * drain.run_Ah / drain.left_Ah, drain.left_Ah);
+      "a run of the motion takes {:.4g} Ah for {}, {:.3g} % of the {:.4g} Ah in the battery",
+      drain.run_Ah, io::listed(drain.drives), 100.0 * drain.run_Ah / drain.left_Ah, drain.left_Ah);
   if (*finding.value > drain.left_Ah) {
     finding.severity = actuator::Severity::kViolation;
     finding.sentence += fmt::format(": it lasts for {:g} runs, {} are asked for", lasts, runs);

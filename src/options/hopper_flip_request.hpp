@@ -12,7 +12,8 @@
 
 namespace torquewright::cli {
 
-/// How often the plans of a sweep, or of a search for a reserve, are replayed, each time as another robot.
+/// How often the plans of a sweep, or of a search for a reserve, are replayed, each time as another
+/// robot.
 struct SweptTrials {
   std::uint64_t count = 0;  ///< 0: not at all.
   std::string randomise_file;

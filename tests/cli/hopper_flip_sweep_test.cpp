@@ -147,7 +147,8 @@ TEST_F(HopperFlipSweep, TriesEachPlanAsItsReplayDoes) {
   EXPECT_EQ(swept["points"][0]["why"] == "", by_hand["succeeded"] == 4);
 }
 
-// Oracle: the plan that it writes, replayed by hand with the draws that chose it and with fresh ones.
+// Oracle: the plan that it writes, replayed by hand with the draws that chose it and with fresh
+// ones.
 TEST_F(HopperFlipSweep, ChoosesAReserveByTrials) {
   const std::string drawn = "specs/randomisation/hopper.json";
   const Words robust{"--robust", drawn, "--trials", "3", "--controller", "pd", "--json"};
@@ -161,11 +162,11 @@ TEST_F(HopperFlipSweep, ChoosesAReserveByTrials) {
   EXPECT_EQ(plan["reserve"]["value"], choice["chosen"]);
   EXPECT_EQ(choice["tried"][0]["reserve"], 0.08);
   const auto by_hand = [&](const char* seed) {
-    return json::parse(place_
-                           .run({"hopper", "replay", "specs/robot/hopper.json", "plan.csv",
-                                 "--randomise", drawn, "--trials", "3", "--controller", "pd",
-                                 "--seed", seed, "--json"})
-                           .out)["trials"]["succeeded"];
+    return json::parse(
+        place_
+            .run({"hopper", "replay", "specs/robot/hopper.json", "plan.csv", "--randomise", drawn,
+                  "--trials", "3", "--controller", "pd", "--seed", seed, "--json"})
+            .out)["trials"]["succeeded"];
   };
   for (const json& one : choice["tried"]) {
     if (one["reserve"] == choice["chosen"]) EXPECT_EQ(one["trials"]["succeeded"], by_hand("1"));

@@ -148,7 +148,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
         "planning/objectives", "planning/constraints"}},
       {"planning/result", {"check", "planning/plane", "planning/model", "planning/constraints"}},
       {"planning/search",
-       {"check", "variation", "replay_report", "planning/plane", "planning/tasks",
+       {"check", "trials", "variation", "replay_report", "planning/plane", "planning/tasks",
         "planning/objectives", "planning/programme", "planning/result"}}}},
     {"identification",
      {{"rig", {}},

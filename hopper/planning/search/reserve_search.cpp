@@ -35,9 +35,8 @@ class ReserveSearch {
   bool try_one(double reserve) {
     if (reserve < -kSame || reserve > greatest_reserve()) return false;
     if (trials_.should_stop && trials_.should_stop()) return false;
-    const auto at = std::find_if(choice_.tried.begin(), choice_.tried.end(), [&](const auto& one) {
-      return one.reserve > reserve - kSame;
-    });
+    const auto at = std::find_if(choice_.tried.begin(), choice_.tried.end(),
+                                 [&](const auto& one) { return one.reserve > reserve - kSame; });
     if (at != choice_.tried.end() && at->reserve < reserve + kSame) return at->trials.has_value();
     TriedReserve tried{std::max(0.0, reserve), trials_.plan(std::max(0.0, reserve)), {}};
     const bool is_planned = tried.result.status == PlanStatus::kPlanned;

@@ -47,7 +47,8 @@ void require_single(const HopperFlipRequest& request) {
     io::refuse("--output", "is required: the CSV that the plan is written to");
   }
   if (request.trials.count > 0 && request.robust_file.empty()) {
-    io::refuse("--trials", "is for --robust and --sweep: `hopper replay` tries a plan that is there");
+    io::refuse("--trials",
+               "is for --robust and --sweep: `hopper replay` tries a plan that is there");
   }
   if (request.sweep.points.jobs > 0) io::refuse("--jobs", "is for --sweep");
   if (!request.sweep.points.journal_file.empty()) io::refuse("--sweep-journal", "is for --sweep");

@@ -112,9 +112,12 @@ void check_flip_files(const HopperFlipRequest& request) {
 void write_flip_outputs(const HopperFlipRequest& request, const HopperFlipInputs& inputs,
                         hopper::PlanResult& result, const std::optional<RobustChoice>& robust) {
   result.motion.file = is_planned(result) ? request.motion_file : request.best_file;
-  const report::FlipAnswer answer{inputs.robot.robot, inputs.plan, result,
+  const report::FlipAnswer answer{inputs.robot.robot,
+                                  inputs.plan,
+                                  result,
                                   next_commands(request, result),
-                                  robust ? robust_lines(request, *robust) : "", request.timing};
+                                  robust ? robust_lines(request, *robust) : "",
+                                  request.timing};
   const std::string text =
       request.json ? hopper_flip_json(request, inputs, result, robust) : report::flip_text(answer);
   deliver(files_of(request, inputs, result), request.json ? text : for_window(text));

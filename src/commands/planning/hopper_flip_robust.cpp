@@ -77,20 +77,21 @@ RobustChoice plan_robustly(const HopperFlipRequest& request, HopperFlipInputs& i
   set_margins(request, inputs.plan);
   if (!robust.choice.chosen) return robust;
   robust.fresh = planner.fare(kept.result, robust.fresh_seed);
-  if (tried.front().trials) robust.fresh_least = planner.fare(tried.front().result, robust.fresh_seed);
+  if (tried.front().trials)
+    robust.fresh_least = planner.fare(tried.front().result, robust.fresh_seed);
   return robust;
 }
 
 std::string robust_lines(const HopperFlipRequest& request, const RobustChoice& robust) {
-  std::string text = fmt::format("\nreserve, chosen by trials of {} ({}, seed {})\n",
-                                 request.robust_file, request.trials.controller,
-                                 request.trials.seed);
+  std::string text =
+      fmt::format("\nreserve, chosen by trials of {} ({}, seed {})\n", request.robust_file,
+                  request.trials.controller, request.trials.seed);
   const auto& tried = robust.choice.tried;
   for (std::size_t i = 0; i < tried.size(); ++i) {
     const bool is_chosen = robust.choice.chosen == i;
     text += fmt::format("  {} {:<6g} ", is_chosen ? '>' : ' ', tried[i].reserve);
-    text += tried[i].trials ? fmt::format("objective {:<9.5g} {} do it\n", tried[i].result.objective,
-                                          share_words(*tried[i].trials))
+    text += tried[i].trials ? fmt::format("objective {:<9.5g} {} do it\n",
+                                          tried[i].result.objective, share_words(*tried[i].trials))
                             : fmt::format("no plan: {}\n", name_of(tried[i].result.status));
   }
   if (!robust.choice.chosen) return text;

@@ -126,8 +126,8 @@ TurningView replayed_view(const ReplayPage& page, const ShownRun& run,
     should.col(i) = goal.position;
   }
   const hopper::RunOptions& options = page.report.options.run;
-  return turning_view({page.robot, run.series, rows, cursor.forces, scale,
-                       options.ground_height_m, options.profile},
+  return turning_view({page.robot, run.series, rows, cursor.forces, scale, options.ground_height_m,
+                       options.profile},
                       is, should);
 }
 

@@ -141,10 +141,11 @@ std::string view_words(const TurningView& view) {
 
 std::string view_json(const hopper::Robot& robot, const TurningView& view) {
   return fmt::format(
-      "{{\"bodies\":{},\n\"contacts\":{},\n\"ground_m\":{:.6g},{}\"grid_m\":{:.6g},\"size_m\":{:.6g},"
+      "{{\"bodies\":{},\n\"contacts\":{},\n\"ground_m\":{:.6g},{}\"grid_m\":{:.6g},\"size_m\":{:."
+      "6g},"
       "\"radius_m\":{:.6g},\"centre_m\":[{}],\"follows\":{},\n\"is\":{}{}}}",
-      bodies(robot, view), contacts(robot, view), view.ground_m, steps(view.profile), grid_m(view), view.size_m,
-      view.radius_m, numbers(view.center_m), view.follows, poses(view.is),
+      bodies(robot, view), contacts(robot, view), view.ground_m, steps(view.profile), grid_m(view),
+      view.size_m, view.radius_m, numbers(view.center_m), view.follows, poses(view.is),
       view.planned ? ",\n\"planned\":" + poses(*view.planned) : "");
 }
 

@@ -30,8 +30,8 @@ struct MadeUpPlanner {
                   return result;
                 },
                 [this](const PlanResult& plan) {
-                  const auto at = by_hundredths.find(
-                      static_cast<int>(std::lround(100.0 * plan.objective)));
+                  const auto at =
+                      by_hundredths.find(static_cast<int>(std::lround(100.0 * plan.objective)));
                   return TrialCounts{at == by_hundredths.end() ? 0 : at->second, 100, 0};
                 }});
   }
