@@ -37,7 +37,7 @@ class OperationalController final : public Controller {
         impact_(options.impact),
         ranges_(std::move(ranges)),
         clock_(reference, options.clock),
-        frame_(robot),
+        frame_(robot, tasks_->rigid),
         program_(robot, *tasks_) {}
 
   std::string_view name() const override { return "osc"; }
@@ -114,7 +114,9 @@ class OperationalController final : public Controller {
         contact_rows(robot_, frame_.body().state(),
                      landing_points(robot_, reference_, *mode, impact_.whole_foot));
     handle_impact(impact_, from_impact_s,
-                  impact_map(frame_.mass(), landing.jacobian, rows_.jacobian), rows_.rate_error);
+                  impact_map(frame_.mass(), landing.jacobian, rows_.jacobian, frame_.springs(),
+                             frame_.rigid_velocity()),
+                  rows_.rate_error);
   }
 
   void note_residuals(double time_s, const VectorXd& wanted) {

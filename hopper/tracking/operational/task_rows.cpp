@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/tracking/operational/task_rows.hpp"
 
+#include <Eigen/QR>
+#include <utility>
+
 #include "dynamics/point.hpp"
 #include "dynamics/position_step.hpp"
 #include "hopper/tracking/error_space.hpp"
@@ -13,6 +16,28 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+
+/// Of a row's length, what is left of one that others make up: of two points of one foot.
+constexpr double kSameRow = 1e-9;
+
+std::vector<Index> rows_without_drive(const Robot& robot) {
+  std::vector<bool> is_driven(robot.tree.bodies.size(), false);
+  for (const Drivetrain& drivetrain : robot.drivetrains) {
+    for (const std::size_t joint : drivetrain.joints) is_driven[joint] = true;
+  }
+  std::vector<Index> rows;
+  for (std::size_t body = 1; body < is_driven.size(); ++body) {
+    if (is_driven[body]) continue;
+    rows.push_back(robot.tree.base_velocity_size() + static_cast<Index>(body) - 1);
+  }
+  return rows;
+}
+
+VectorXd least_move(const MatrixXd& rows, const VectorXd& wanted) {
+  Eigen::CompleteOrthogonalDecomposition<MatrixXd> parts;
+  parts.setThreshold(kSameRow);
+  return parts.compute(rows).solve(wanted);
+}
 
 /// World's axes of a base's translation, in the order of its velocities.
 std::vector<Index> ways_of(const dynamics::Tree& tree) {
@@ -33,7 +58,12 @@ Vector3d mean_place_m(const Robot& robot, const dynamics::TreeState& state,
 
 }  // namespace
 
-TaskFrame::TaskFrame(const Robot& robot) : robot_(robot), actual_(robot), wanted_(robot) {
+TaskFrame::TaskFrame(const Robot& robot, std::vector<RigidJoint> rigid)
+    : robot_(robot),
+      rigid_(std::move(rigid)),
+      undriven_(rows_without_drive(robot)),
+      actual_(robot),
+      wanted_(robot) {
   const Index n = robot.tree.velocity_size();
   mass_.resize(n, n);
   bias_force_.resize(n);
@@ -58,7 +88,35 @@ bool TaskFrame::set(const ReferenceInstant& wanted, const TouchingPoints& touche
   actual_.mass_matrix(mass_);
   actual_.inverse_dynamics(VectorXd::Zero(velocity_.size()), bias_force_);
   dynamics::position_difference(robot_.tree, position_, wanted.position, difference_);
+  contacts_ = contact_rows(robot_, actual_.state(), touches_);
+  hold_springs();
+  take_springs_out();
   return true;
+}
+
+void TaskFrame::hold_springs() {
+  springs_.setZero(static_cast<Index>(rigid_.size()), velocity_.size());
+  for (Index i = 0; i < springs_.rows(); ++i) {
+    const RigidJoint& spring = rigid_[static_cast<std::size_t>(i)];
+    if (spring.is_link) {
+      springs_.row(i) = actual_.link_motion(spring.of).transpose();
+    } else {
+      springs_(i, robot_.tree.base_velocity_size() + static_cast<Index>(spring.of) - 1) = 1.0;
+    }
+  }
+}
+
+/// Eq. (9).
+void TaskFrame::take_springs_out() {
+  rigid_velocity_ = velocity_;
+  if (springs_.rows() == 0 || undriven_.empty()) return;
+  const VectorXd change =
+      least_move(springs_(Eigen::all, undriven_), -(springs_ * velocity_));
+  rigid_velocity_(undriven_) += change;
+  const Index base = robot_.tree.base_velocity_size();
+  if (base == 0 || contacts_.jacobian.rows() == 0) return;
+  rigid_velocity_.head(base) += least_move(
+      contacts_.jacobian.leftCols(base), -(contacts_.jacobian(Eigen::all, undriven_) * change));
 }
 
 /// Moves the observed robot, eq. (1).
@@ -201,7 +259,8 @@ void TaskFrame::rows(const std::vector<OperationalTask>& tasks, TaskRows& out) {
       out.jacobian.row(row) = block.jacobian.row(axis);
       out.bias[row] = block.bias[axis];
       out.place_error[row] = block.lacking.place[axis];
-      out.rate_error[row] = block.lacking.rate[axis];
+      out.rate_error[row] =
+          block.lacking.rate[axis] + block.jacobian.row(axis).dot(velocity_ - rigid_velocity_);
       out.acceleration[row] = block.lacking.acceleration[axis];
       out.stiffness_1_s2[row] = task.stiffness_1_s2();
       out.damping_1_s[row] = task.damping_1_s();

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "hopper/tracking/contact_rows.hpp"
 #include "hopper/tracking/operational/tasks.hpp"
 #include "hopper/tracking/reference.hpp"
 #include "robot/model/whole_body.hpp"
@@ -15,7 +16,7 @@ struct TaskRows {
   Eigen::MatrixXd jacobian;      ///< (k x n)
   Eigen::VectorXd bias;          ///< (k x 1): J' v
   Eigen::VectorXd place_error;   ///< (k x 1): wanted less actual, m or rad,
-  Eigen::VectorXd rate_error;    ///< m/s or rad/s,
+  Eigen::VectorXd rate_error;    ///< m/s or rad/s, as if rigid springs did not move,
   Eigen::VectorXd acceleration;  ///< wanted by the motion, m/s^2 or rad/s^2.
   Eigen::VectorXd stiffness_1_s2, damping_1_s, weight;
   std::vector<std::size_t> task_of;  ///< By row: the task's index.
@@ -27,8 +28,8 @@ struct TaskRows {
 /// docs/derivations/operational_space.md.
 class TaskFrame {
  public:
-  /// The robot must outlive it.
-  explicit TaskFrame(const Robot& robot);
+  /// The robot must outlive it. `rigid`: springs that count as rigid.
+  explicit TaskFrame(const Robot& robot, std::vector<RigidJoint> rigid = {});
 
   /// Sets the wanted and the observed state; the latter is turned about the vertical as the former
   /// faces and moved so that its feet that are to touch (in flight its centre of mass) lie where
@@ -41,6 +42,13 @@ class TaskFrame {
 
   WholeBody& body() { return actual_; }
   const Eigen::VectorXd& velocity() const { return velocity_; }
+  /// The velocity that the robot would have if rigid springs did not move: its drives', and the
+  /// base's with which the points that touch move as they do, eq. (9).
+  const Eigen::VectorXd& rigid_velocity() const { return rigid_velocity_; }
+  /// Rates of the rigid springs (springs x n).
+  const Eigen::MatrixXd& springs() const { return springs_; }
+  /// Of the points that are to touch.
+  const ContactRows& contacts() const { return contacts_; }
   const Eigen::MatrixXd& mass() const { return mass_; }
   /// Forces for no acceleration (n x 1).
   const Eigen::VectorXd& bias_force() const { return bias_force_; }
@@ -66,12 +74,18 @@ class TaskFrame {
   Eigen::MatrixXd center_jacobian(const Eigen::MatrixXd& mass) const;
   Eigen::Vector3d center_acceleration(const Eigen::VectorXd& force) const;
   void place_feet();
+  void hold_springs();
+  void take_springs_out();
 
   const Robot& robot_;
+  std::vector<RigidJoint> rigid_;
+  std::vector<Eigen::Index> undriven_;  ///< Rows of joints without a drive.
   WholeBody actual_, wanted_;
+  ContactRows contacts_;
+  Eigen::MatrixXd springs_;
   ReferenceInstant instant_;
   TouchingPoints touches_;
-  Eigen::VectorXd position_, velocity_, difference_, bias_force_, wanted_force_;
+  Eigen::VectorXd position_, velocity_, rigid_velocity_, difference_, bias_force_, wanted_force_;
   Eigen::MatrixXd mass_;
   dynamics::Centroid actual_center_, wanted_center_;
 };

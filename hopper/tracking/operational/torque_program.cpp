@@ -36,8 +36,8 @@ optimization::QuadraticStatus TorqueProgram::solve(TaskFrame& frame, const TaskR
                                                    const VectorXd& wanted,
                                                    const TouchingPoints& touches,
                                                    const TorqueBounds& bounds) {
-  move(frame, touches);
-  price(rows, wanted, frame.velocity());
+  move(frame);
+  price(frame, rows, wanted);
   bound(touches, bounds);
   solution_ = &solver_.solve(program_);
   const VectorXd scaled = scales_.cwiseProduct(solution_->x);
@@ -48,39 +48,25 @@ optimization::QuadraticStatus TorqueProgram::solve(TaskFrame& frame, const TaskR
     contact_N_.segment<3>(3 * point) = scaled.segment<3>(at);
     at += 3;
   }
+  spring_Nm_ = scaled.tail(frame.springs().rows());
   acceleration_ = free_ + effect_ * solution_->x;
   return solution_->status;
 }
 
-/// Rates of the springs that count as rigid.
-void TorqueProgram::hold_springs(WholeBody& body, const VectorXd& velocity) {
-  const auto count = static_cast<Index>(tasks_.rigid.size());
-  springs_.setZero(count, velocity.size());
-  for (Index i = 0; i < count; ++i) {
-    const RigidJoint& spring = tasks_.rigid[static_cast<std::size_t>(i)];
-    if (spring.is_link) {
-      springs_.row(i) = body.link_motion(spring.of).transpose();
-    } else {
-      springs_(i, robot_.tree.base_velocity_size() + static_cast<Index>(spring.of) - 1) = 1.0;
-    }
-  }
-}
-
 /// Accelerations are affine in the unknowns, eq. (5).
-void TorqueProgram::move(TaskFrame& frame, const TouchingPoints& touches) {
-  const VectorXd& velocity = frame.velocity();
-  contacts_ = contact_rows(robot_, frame.body().state(), touches);
-  hold_springs(frame.body(), velocity);
-  const Index drives = peaks_Nm_.size(), forces = contacts_.jacobian.rows();
-  const Index unknowns = drives + forces + springs_.rows();
+void TorqueProgram::move(TaskFrame& frame) {
+  const MatrixXd& points = frame.contacts().jacobian;
+  const MatrixXd& springs = frame.springs();
+  const Index drives = peaks_Nm_.size(), forces = points.rows();
+  const Index unknowns = drives + forces + springs.rows();
   scales_.resize(unknowns);
   scales_.head(drives) = peaks_Nm_;
   scales_.segment(drives, forces).setConstant(weight_N_);
   // A spring's force at a lever of 0.1 m, as a scale alone.
-  scales_.tail(springs_.rows()).setConstant(0.1 * weight_N_);
-  MatrixXd on_velocities(velocity.size(), unknowns);
-  on_velocities << drive_jacobian(frame.body()).transpose(), contacts_.jacobian.transpose(),
-      springs_.transpose();
+  scales_.tail(springs.rows()).setConstant(0.1 * weight_N_);
+  MatrixXd on_velocities(frame.velocity().size(), unknowns);
+  on_velocities << drive_jacobian(frame.body()).transpose(), points.transpose(),
+      springs.transpose();
   mass_.compute(frame.mass());
   effect_ = mass_.solve(on_velocities * scales_.asDiagonal());
   free_ = -mass_.solve(frame.bias_force());
@@ -94,30 +80,32 @@ void TorqueProgram::add_square(const MatrixXd& rows, const VectorXd& off, const 
 }
 
 /// Eq. (6).
-void TorqueProgram::price(const TaskRows& rows, const VectorXd& wanted, const VectorXd& velocity) {
+void TorqueProgram::price(TaskFrame& frame, const TaskRows& rows, const VectorXd& wanted) {
+  const VectorXd& velocity = frame.velocity();
   const Index unknowns = scales_.size();
   program_.cost.setZero(unknowns, unknowns);
   program_.slope.setZero(unknowns);
   program_.cost.diagonal().setConstant(tasks_.effort_weight * tasks_.effort_weight);
   add_square(rows.jacobian * effect_, rows.jacobian * free_ + rows.bias - wanted, rows.weight);
-  const MatrixXd& points = contacts_.jacobian;
-  const VectorXd moving = contacts_.bias_m_s2 + points * velocity / tasks_.contact_time_s;
+  const MatrixXd& points = frame.contacts().jacobian;
+  const VectorXd moving = frame.contacts().bias_m_s2 + points * velocity / tasks_.contact_time_s;
   add_square(points * effect_, points * free_ + moving,
              VectorXd::Constant(points.rows(), tasks_.contact_weight));
-  const Index springs = springs_.rows(), others = kSides * points.rows() / 3 + peaks_Nm_.size();
+  const MatrixXd& held = frame.springs();
+  const Index springs = held.rows(), others = kSides * points.rows() / 3 + peaks_Nm_.size();
   program_.rows.setZero(springs + others, unknowns);
   program_.lower.setConstant(springs + others, -kUnbounded);
   program_.upper.setConstant(springs + others, kUnbounded);
   // Rigid springs neither turn nor begin to.
-  program_.rows.topRows(springs) = springs_ * effect_;
-  program_.lower.head(springs) = -springs_ * (free_ + velocity / tasks_.contact_time_s);
+  program_.rows.topRows(springs) = held * effect_;
+  program_.lower.head(springs) = -held * (free_ + velocity / tasks_.contact_time_s);
   program_.upper.head(springs) = program_.lower.head(springs);
 }
 
 /// Eqs. (7) and (8).
 void TorqueProgram::bound(const TouchingPoints& touches, const TorqueBounds& bounds) {
   const Index drives = peaks_Nm_.size();
-  Index row = springs_.rows();
+  Index row = static_cast<Index>(tasks_.rigid.size());
   program_.rows.block(row, 0, drives, drives).setIdentity();
   program_.lower.segment(row, drives) = bounds.least_Nm.cwiseQuotient(peaks_Nm_);
   program_.upper.segment(row, drives) = bounds.greatest_Nm.cwiseQuotient(peaks_Nm_);

@@ -38,12 +38,13 @@ class TorqueProgram {
   const Eigen::VectorXd& torque_Nm() const { return torque_Nm_; }        ///< (drives x 1)
   const Eigen::VectorXd& contact_N() const { return contact_N_; }        ///< (3 points x 1)
   const Eigen::VectorXd& acceleration() const { return acceleration_; }  ///< (n x 1)
+  /// Of springs that count as rigid, beside what they make themselves (springs x 1).
+  const Eigen::VectorXd& spring_Nm() const { return spring_Nm_; }
 
  private:
-  void move(TaskFrame& frame, const TouchingPoints& touches);
-  void price(const TaskRows& rows, const Eigen::VectorXd& wanted, const Eigen::VectorXd& velocity);
+  void move(TaskFrame& frame);
+  void price(TaskFrame& frame, const TaskRows& rows, const Eigen::VectorXd& wanted);
   void bound(const TouchingPoints& touches, const TorqueBounds& bounds);
-  void hold_springs(WholeBody& body, const Eigen::VectorXd& velocity);
   void add_square(const Eigen::MatrixXd& rows, const Eigen::VectorXd& off,
                   const Eigen::VectorXd& weight);
 
@@ -51,8 +52,6 @@ class TorqueProgram {
   const OperationalTasks& tasks_;
   Eigen::VectorXd peaks_Nm_;
   double weight_N_ = 0.0;
-  ContactRows contacts_;
-  Eigen::MatrixXd springs_;  ///< (springs x n): rates of those that count as rigid.
   Eigen::LLT<Eigen::MatrixXd> mass_;
   Eigen::MatrixXd effect_;  ///< (n x unknowns): accelerations by them,
   Eigen::VectorXd free_;    ///< (n x 1): and without them.
@@ -60,7 +59,7 @@ class TorqueProgram {
   optimization::QuadraticProgram program_;
   optimization::QuadraticSolver solver_;
   const optimization::QuadraticSolution* solution_ = nullptr;
-  Eigen::VectorXd torque_Nm_, contact_N_, acceleration_;
+  Eigen::VectorXd torque_Nm_, contact_N_, acceleration_, spring_Nm_;
 };
 
 }  // namespace torquewright::hopper
