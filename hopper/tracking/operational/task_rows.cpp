@@ -110,13 +110,12 @@ void TaskFrame::hold_springs() {
 void TaskFrame::take_springs_out() {
   rigid_velocity_ = velocity_;
   if (springs_.rows() == 0 || undriven_.empty()) return;
-  const VectorXd change =
-      least_move(springs_(Eigen::all, undriven_), -(springs_ * velocity_));
+  const VectorXd change = least_move(springs_(Eigen::all, undriven_), -(springs_ * velocity_));
   rigid_velocity_(undriven_) += change;
   const Index base = robot_.tree.base_velocity_size();
   if (base == 0 || contacts_.jacobian.rows() == 0) return;
-  rigid_velocity_.head(base) += least_move(
-      contacts_.jacobian.leftCols(base), -(contacts_.jacobian(Eigen::all, undriven_) * change));
+  rigid_velocity_.head(base) += least_move(contacts_.jacobian.leftCols(base),
+                                           -(contacts_.jacobian(Eigen::all, undriven_) * change));
 }
 
 /// Moves the observed robot, eq. (1).
