@@ -180,7 +180,7 @@ class DemandPass {
     for (Index i = 0; i < drives; ++i) {
       demand_.before_gears_kg_m2[i] = body_.before_gears_kg_m2(static_cast<std::size_t>(i));
     }
-    demand_.joint_effort.setZero(motion_.efforts.rows(), samples);
+    demand_.joint_effort.setZero(static_cast<Index>(robot_.tree.bodies.size()) - 1, samples);
     demand_.residual.setZero(rows_.size(), samples);
     demand_.rows = rows_.kinds();
     demand_.center_of_mass_m.setZero(3, samples);

@@ -48,7 +48,6 @@ optimization::QuadraticStatus TorqueProgram::solve(TaskFrame& frame, const TaskR
     contact_N_.segment<3>(3 * point) = scaled.segment<3>(at);
     at += 3;
   }
-  spring_Nm_ = scaled.tail(frame.springs().rows());
   acceleration_ = free_ + effect_ * solution_->x;
   return solution_->status;
 }

@@ -38,8 +38,6 @@ class TorqueProgram {
   const Eigen::VectorXd& torque_Nm() const { return torque_Nm_; }        ///< (drives x 1)
   const Eigen::VectorXd& contact_N() const { return contact_N_; }        ///< (3 points x 1)
   const Eigen::VectorXd& acceleration() const { return acceleration_; }  ///< (n x 1)
-  /// Of springs that count as rigid, beside what they make themselves (springs x 1).
-  const Eigen::VectorXd& spring_Nm() const { return spring_Nm_; }
 
  private:
   void move(TaskFrame& frame);
@@ -59,7 +57,7 @@ class TorqueProgram {
   optimization::QuadraticProgram program_;
   optimization::QuadraticSolver solver_;
   const optimization::QuadraticSolution* solution_ = nullptr;
-  Eigen::VectorXd torque_Nm_, contact_N_, acceleration_, spring_Nm_;
+  Eigen::VectorXd torque_Nm_, contact_N_, acceleration_;
 };
 
 }  // namespace torquewright::hopper

@@ -5,9 +5,12 @@
 
 #include <numbers>
 
+#include "hopper/check/hopper_check.hpp"
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/demand/battery_draw.hpp"
+#include "hopper/motion/motion_reader.hpp"
 #include "robot/mechanisms/constant_jacobian.hpp"
+#include "robot/model/robot_spec.hpp"
 #include "tests/actuator/example_actuator.hpp"
 #include "tests/hopper/check/made_motion.hpp"
 
@@ -415,6 +418,30 @@ TEST(ImpactByMotors, IsHeldAgainstTheTimeBetweenTwoSamples) {
   scene.robot.drivetrains[0].actuators[0].effects.push_back(
       actuator::effect("asymmetric_friction", {5.0, 0.0, 0.0, 0.0}));
   EXPECT_NEAR(*impact_by_motors(scene.checked())[0].limit, 2.05, 1e-12);
+}
+
+// A motion made in memory need have no table of the efforts that it does not state. Oracle: the
+// same motion with one.
+TEST(JointTorque, IsHeldAgainstItsLimitWithoutATableOfEfforts) {
+  Robot robot = read_robot(TORQUEWRIGHT_SOURCE_DIR "/specs/robot/hopper.json").robot;
+  for (dynamics::Body& body : robot.tree.bodies) body.joint.limits.effort_max = 1.0;
+  Motion with = read_motion(
+      robot, {TORQUEWRIGHT_SOURCE_DIR "/specs/trajectory/hopper_squat.csv", {}, {}, {}});
+  const Index joints = static_cast<Index>(robot.tree.bodies.size()) - 1;
+  with.has_effort.assign(static_cast<std::size_t>(joints), false);
+  with.efforts.setZero(joints, with.samples());
+  Motion without = with;
+  without.efforts.resize(0, 0);
+  const auto torques_beyond = [&](Motion& motion) {
+    std::vector<std::string> found;
+    for (const Finding& finding : check_motion(robot, motion, {}).check.findings) {
+      if (finding.rule == "joint-torque") found.push_back(finding.sentence);
+    }
+    return found;
+  };
+  const std::vector<std::string> expected = torques_beyond(with);
+  EXPECT_FALSE(expected.empty());
+  EXPECT_EQ(torques_beyond(without), expected);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 
 #include "dynamics/point.hpp"
 #include "dynamics/position_step.hpp"
@@ -157,6 +158,37 @@ TEST_P(TaskRowsOf, LeaveNothingOfAnImpulse) {
   handle_impact(options, 0.0, map, before);
   handle_impact(options, 0.0, map, after);
   EXPECT_LE((after - before).norm(), 1e-9 * (rows.jacobian * jump).norm());
+}
+
+// Eq. (9) by its definition, of a robot whose first drive is taken away: its joint stands still,
+// the others' drives turn as they do, and points that touch move as they do as nearly as the base's
+// velocity lets them. Tasks' rates are of that velocity.
+TEST_P(TaskRowsOf, TakeOutTheRatesOfRigidSprings) {
+  ASSERT_FALSE(robot.drivetrains.front().joints.empty());
+  const std::vector<std::size_t> loose = robot.drivetrains.front().joints;
+  robot.drivetrains.erase(robot.drivetrains.begin());
+  std::vector<RigidJoint> rigid;
+  for (const std::size_t joint : loose) rigid.push_back({.is_link = false, .of = joint});
+  TaskFrame frame(robot, rigid);
+  ASSERT_TRUE(frame.set(wanted, points(robot, true), position, velocity));
+  const Index base = robot.tree.base_velocity_size();
+  const VectorXd change = frame.rigid_velocity() - frame.velocity();
+  for (Index row = base; row < change.size(); ++row) {
+    const auto joint = static_cast<std::size_t>(row - base) + 1;
+    const bool is_spring = std::find(loose.begin(), loose.end(), joint) != loose.end();
+    EXPECT_NEAR(change[row], is_spring ? -frame.velocity()[row] : 0.0, 1e-12);
+  }
+  EXPECT_GT(change.tail(change.size() - base).norm(), 0.1);
+  // Least squares: what is left is square to what the base can do.
+  const Eigen::MatrixXd feet = frame.contacts().jacobian;
+  EXPECT_LE((feet.leftCols(base).transpose() * (feet * change)).norm(), 1e-9);
+  TaskRows held, loosely;
+  frame.rows(tasks(), held);
+  TaskFrame without(robot);
+  ASSERT_TRUE(without.set(wanted, points(robot, true), position, velocity));
+  without.rows(tasks(), loosely);
+  EXPECT_LE((held.rate_error - loosely.rate_error + held.jacobian * change).norm(), 1e-12);
+  EXPECT_GT((held.rate_error - loosely.rate_error).norm(), 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, TaskRowsOf, testing::Values("hopper.json", "planar_leg.json"),
