@@ -34,9 +34,9 @@ hopper::Motion read_back(const hopper::Robot& robot, const hopper::Motion& motio
   return hopper::read_motion(robot, {file, {}, {}, {}});
 }
 
-void run_spoken(const hopper::Robot& robot, const hopper::Motion& motion,
-                const hopper::HopperReport& report, const hopper::EngineKind& engine,
-                ImpactHandling handling, double stand_s) {
+void run_once(const hopper::Robot& robot, const hopper::Motion& motion,
+              const hopper::HopperReport& report, const hopper::EngineKind& engine,
+              ImpactHandling handling, double stand_s) {
   hopper::ReplayOptions options;
   options.engine = &engine;
   options.controller = &hopper::controllers::osc;
@@ -64,7 +64,7 @@ void run_spoken(const hopper::Robot& robot, const hopper::Motion& motion,
 }
 
 /// Stands in the jump's first posture, or jumps with each handling (0 s).
-void spoken(const std::filesystem::path& folder, double seconds, const char* engine) {
+void study(const std::filesystem::path& folder, double seconds, const char* engine) {
   const hopper::Robot robot = test::cassie();
   const test::PublishedJump jump = test::read_jump(test::published_jump_file());
   test::JumpClosure closure;
@@ -81,9 +81,9 @@ void spoken(const std::filesystem::path& folder, double seconds, const char* eng
   check.residual_share = 2.0;  // springs are rigid in the motion: what they need is left
   const hopper::HopperReport report = hopper::check_motion(robot, motion, check);
   const hopper::EngineKind& kind = hopper::engine_named(engine);
-  run_spoken(robot, motion, report, kind, ImpactHandling::kDefault, 0.5);
+  run_once(robot, motion, report, kind, ImpactHandling::kDefault, 0.5);
   if (seconds > 0.0) return;
-  run_spoken(robot, motion, report, kind, ImpactHandling::kInvariant, 0.5);
+  run_once(robot, motion, report, kind, ImpactHandling::kInvariant, 0.5);
 }
 
 }  // namespace
@@ -95,7 +95,7 @@ int main(int count, char** arguments) {
     return 2;
   }
   try {
-    torquewright::bench::spoken(arguments[1], std::atof(arguments[2]), arguments[3]);
+    torquewright::bench::study(arguments[1], std::atof(arguments[2]), arguments[3]);
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 2;
