@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hopper/planning/search/plan_report_spec.hpp"
+#include "src/commands/planning/hopper_flip_robust_json.hpp"
 #include "src/commands/shared/fingerprint_json.hpp"
 #include "src/commands/shared/result_json.hpp"
 #include "src/commands/shared/stated_json.hpp"

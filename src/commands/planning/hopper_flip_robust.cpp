@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "src/commands/planning/hopper_flip_trials.hpp"
@@ -12,8 +11,6 @@
 
 namespace torquewright::cli {
 namespace {
-
-using nlohmann::ordered_json;
 
 /// Plans and tries, saying on stderr which reserve it is at.
 class RobustPlanner {
@@ -50,10 +47,6 @@ class RobustPlanner {
 
 std::string share_words(const hopper::TrialCounts& counts) {
   return fmt::format("{} of {}", counts.succeeded, counts.done());
-}
-
-ordered_json counts_json(const hopper::TrialCounts& counts) {
-  return {{"succeeded", counts.succeeded}, {"trials", counts.done()}};
 }
 
 }  // namespace
@@ -102,23 +95,6 @@ std::string robust_lines(const HopperFlipRequest& request, const RobustChoice& r
                         tried.front().reserve);
   }
   return text + "\n";
-}
-
-ordered_json robust_json(const RobustChoice& robust) {
-  ordered_json list = ordered_json::array();
-  for (const hopper::TriedReserve& one : robust.choice.tried) {
-    list.push_back({{"reserve", one.reserve},
-                    {"status", name_of(one.result.status)},
-                    {"objective", one.trials ? ordered_json(one.result.objective) : nullptr},
-                    {"trials", one.trials ? counts_json(*one.trials) : nullptr}});
-  }
-  const auto& chosen = robust.choice.chosen;
-  return {{"tried", list},
-          {"chosen", chosen ? ordered_json(robust.choice.tried[*chosen].reserve) : nullptr},
-          {"fresh_seed", robust.fresh_seed},
-          {"fresh", chosen ? counts_json(robust.fresh) : nullptr},
-          {"fresh_of_least",
-           robust.fresh_least.done() > 0 ? counts_json(robust.fresh_least) : nullptr}};
 }
 
 }  // namespace torquewright::cli

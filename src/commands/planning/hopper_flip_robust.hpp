@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 
@@ -26,6 +25,5 @@ RobustChoice plan_robustly(const HopperFlipRequest& request, HopperFlipInputs& i
 
 /// A line per reserve, and what fresh draws say.
 std::string robust_lines(const HopperFlipRequest& request, const RobustChoice& robust);
-nlohmann::ordered_json robust_json(const RobustChoice& robust);
 
 }  // namespace torquewright::cli
