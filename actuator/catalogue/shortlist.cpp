@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "actuator/motor/limiter_words.hpp"
+
 namespace torquewright::actuator {
 namespace {
 
@@ -29,12 +31,12 @@ Answer answer(const Actuator& actuator, const Need& need) {
   const double there_Nm = available_Nm(range, need.torque_Nm);
   if (range.is_empty) {
     return {-1.0, fmt::format("no torque at {:.4g} rad/s ({})", need.speed_rad_s,
-                              name_of(range.why_empty))};
+                              name_of(range.why_empty, actuator.battery.has_value()))};
   }
   const Limiter limiter = need.torque_Nm >= 0.0 ? range.greatest.limiter : range.least.limiter;
   return {wanted_Nm > 0.0 ? there_Nm / wanted_Nm - 1.0 : kUnlimited,
           fmt::format("{:.4g} of {:.4g} Nm at {:.4g} rad/s ({})", there_Nm, wanted_Nm,
-                      need.speed_rad_s, name_of(limiter))};
+                      need.speed_rad_s, name_of(limiter, actuator.battery.has_value()))};
 }
 
 Answer continuous_answer(const Actuator& actuator, double wanted_Nm) {

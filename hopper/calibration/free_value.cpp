@@ -74,7 +74,8 @@ void add_pointer(const std::string& text, const io::Document& document, const Ro
   const DocumentedNumber number = documented_number(text, document, kOption);
   const auto knob = knob_of(number, robot);
   if (!knob) {
-    io::refuse(kOption, fmt::format("{} does not bear on CAM and CAV; masses, centres of mass, "
+    io::refuse(kOption, fmt::format("{} does not bear on angular momentum (CAM) and velocity "
+                                    "(CAV); masses, centres of mass, "
                                     "inertias, joint positions and postures do",
                                     text));
   }

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "actuator/catalogue/drive_set.hpp"
@@ -12,6 +11,7 @@
 #include "actuator/motor/gear_transmission.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/text/one_line.hpp"
+#include "io/text/stepped_range.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -21,7 +21,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostRatios = 1000;
 /// Beyond what is built on either side.
 constexpr double kLeastRatio = 0.01, kGreatestRatio = 1e4;
-constexpr double kRoundOff = 1e-9;
 
 std::vector<fs::path> documents_in(const fs::path& folder) {
   std::error_code error;
@@ -110,52 +109,30 @@ CandidateSet none_yet(const ReadRobot& robot) {
   return candidates;
 }
 
-double read_number(const std::string& text, const std::string& part) {
-  double value = 0.0;
-  const char* end = part.data() + part.size();
-  const auto [rest, error] = std::from_chars(part.data(), end, value);
-  if (error != std::errc() || rest != end || !std::isfinite(value) || value <= 0.0) {
-    io::refuse("--ratios", fmt::format("\"{}\": \"{}\" is not a number above 0; the form is "
-                                       "FROM:TO or FROM:TO:STEP",
-                                       text, part));
-  }
-  return value;
-}
-
 }  // namespace
 
 std::vector<double> RatioSweep::ratios() const {
   std::vector<double> all;
-  const auto count = static_cast<std::size_t>(std::floor((to - from) / step + kRoundOff)) + 1;
-  for (std::size_t i = 0; i < count; ++i) all.push_back(from + static_cast<double>(i) * step);
+  for (const io::Rational& ratio :
+       io::values_of({io::exact(from), io::exact(to), io::exact(step)})) {
+    all.push_back(io::nearest(ratio));
+  }
   return all;
 }
 
 RatioSweep read_ratio_sweep(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == ':') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  if (parts.size() < 2 || parts.size() > 3) {
-    io::refuse("--ratios", fmt::format("\"{}\": the form is FROM:TO or FROM:TO:STEP", text));
-  }
-  RatioSweep sweep{read_number(text, parts[0]), read_number(text, parts[1]), 1.0};
-  if (sweep.from < kLeastRatio || sweep.to > kGreatestRatio) {
-    io::refuse("--ratios", fmt::format("\"{}\": ratios are from {:g} to {:g}", text, kLeastRatio,
-                                       kGreatestRatio));
-  }
-  if (parts.size() == 3) sweep.step = read_number(text, parts[2]);
-  if (sweep.from > sweep.to) {
-    io::refuse("--ratios", fmt::format("\"{}\": {:g} lies above {:g}", text, sweep.from, sweep.to));
-  }
-  if ((sweep.to - sweep.from) / sweep.step >= static_cast<double>(kMostRatios)) {
-    io::refuse("--ratios", fmt::format("\"{}\": more than {} ratios", text, kMostRatios));
-  }
-  return sweep;
+  const io::RangeRule rule{
+      .refuse =
+          [&text](const std::string& why) {
+            io::refuse("--ratios",
+                       fmt::format("\"{}\": {}; the form is FROM:TO or FROM:TO:STEP", text, why));
+          },
+      .most = kMostRatios,
+      .what = "ratios",
+      .least = kLeastRatio,
+      .greatest = kGreatestRatio};
+  const io::SteppedRange range = io::read_stepped_range(text, rule);
+  return {io::nearest(range.from), io::nearest(range.to), io::nearest(range.step)};
 }
 
 CandidateSet read_candidate_set(const fs::path& folder, const ReadRobot& robot,

@@ -6,12 +6,12 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
 #include "actuator/motor/gear_transmission.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/text/one_line.hpp"
+#include "io/text/stepped_range.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -23,33 +23,6 @@ constexpr std::size_t kMostRatios = 1000;
 
 ordered_json or_null(const std::optional<double>& value) {
   return value && std::isfinite(*value) ? ordered_json(*value) : ordered_json();
-}
-
-Rational read_ratio(const std::string& text, const std::string& part) {
-  Rational ratio;
-  try {
-    ratio = io::rational_from_numeral(part);
-  } catch (const std::invalid_argument&) {
-    ratio = 0;
-  }
-  if (ratio < Rational(1, 100) || ratio > 10000) {
-    io::refuse("--ratios", fmt::format("\"{}\": \"{}\" is no ratio from 0.01 to 10000; the form is "
-                                       "RATIO, FROM:TO or FROM:TO:STEP",
-                                       text, part));
-  }
-  return ratio;
-}
-
-std::vector<std::string> parts_of(const std::string& text) {
-  std::vector<std::string> parts(1);
-  for (const char c : text) {
-    if (c == ':') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
 }
 
 ordered_json choice_json(const GearChoice& choice) {
@@ -133,20 +106,19 @@ std::string name_of(GearSearch search) {
 }
 
 std::vector<Rational> read_ratios(const std::string& text) {
-  const std::vector<std::string> parts = parts_of(text);
-  if (parts.size() > 3) read_ratio(text, text);
-  const Rational from = read_ratio(text, parts.front());
-  const Rational to = parts.size() > 1 ? read_ratio(text, parts[1]) : from;
-  const Rational step = parts.size() > 2 ? read_ratio(text, parts[2]) : Rational(1);
-  if (from > to) {
-    io::refuse("--ratios", fmt::format("\"{}\": {} lies above {}", text, parts[0], parts[1]));
-  }
-  if ((to - from) / step >= Rational(kMostRatios)) {
-    io::refuse("--ratios", fmt::format("\"{}\": more than {} ratios", text, kMostRatios));
-  }
-  std::vector<Rational> ratios;
-  for (Rational ratio = from; ratio <= to; ratio += step) ratios.push_back(ratio);
-  return ratios;
+  const io::RangeRule rule{
+      .refuse =
+          [&text](const std::string& why) {
+            io::refuse(
+                "--ratios",
+                fmt::format("\"{}\": {}; the form is RATIO, FROM:TO or FROM:TO:STEP", text, why));
+          },
+      .most = kMostRatios,
+      .what = "ratios",
+      .least = 0.01,
+      .greatest = 1e4};
+  if (!io::is_range(text)) return {io::read_range_number(text, rule)};
+  return io::values_of(io::read_stepped_range(text, rule));
 }
 
 ordered_json co_design_json(const Robot& robot, const CoDesignQuestion& question,

@@ -46,13 +46,24 @@ bool is_below_one(std::string_view text) {
   return exponent < (first < point ? first - point + 1 : first - point);
 }
 
+std::optional<double> number_of(std::string_view text);
+
+/// 1.5D-3, as Fortran writes exponents, where a number ended before that letter.
+std::optional<double> of_fortran(std::string_view text, const char* letter) {
+  const auto at = static_cast<std::size_t>(letter - text.data());
+  if (at == 0 || at >= text.size() || (text[at] != 'D' && text[at] != 'd')) return std::nullopt;
+  std::string usual(text);
+  usual[at] = 'e';
+  return number_of(usual);
+}
+
 /// The whole text as a double, infinities and NaN included; a number too small for one is 0.
 std::optional<double> number_of(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   double value = 0.0;
   const char* end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (rest != end || text.empty()) return std::nullopt;
+  if (rest != end || text.empty()) return of_fortran(text, rest);
   if (error == std::errc::result_out_of_range) return is_below_one(text) ? 0.0 : HUGE_VAL;
   if (error != std::errc()) return std::nullopt;
   return value;
@@ -76,6 +87,52 @@ std::size_t count_outside_quotes(std::string_view line, char what) {
     count += !is_quoted && each == what;
   }
   return count;
+}
+
+/// Whether nothing stands behind a line's last separator.
+bool ends_with_separator(std::string_view line, char separator) {
+  const std::size_t last = line.find_last_not_of(' ');
+  return last != std::string_view::npos && line[last] == separator;
+}
+
+/// Runs of letters that are no blanks.
+std::size_t words_in(std::string_view line) {
+  std::size_t count = 0;
+  bool is_in_word = false;
+  for (const char each : line) {
+    const bool is_blank = each == ' ' || each == '\t';
+    count += !is_blank && !is_in_word;
+    is_in_word = !is_blank;
+  }
+  return count;
+}
+
+/// A row of numbers between blanks, or one of them.
+bool is_numbers_between_blanks(std::string_view line) {
+  for (line = trimmed(line); !line.empty();) {
+    const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+    if (!number_of(line.substr(0, end))) return false;
+    line = trimmed(line.substr(end));
+  }
+  return true;
+}
+
+/// The names that a comment before a table of numbers holds, as NumPy writes them; empty: the
+/// table's first line is not one of numbers, or has another number of columns.
+std::string names_in_comment(const std::vector<std::string>& comments, std::string_view first) {
+  if (comments.empty()) return "";
+  const std::size_t begin = comments.back().find_first_not_of("# \t");
+  if (begin == std::string::npos) return "";
+  const std::string names = comments.back().substr(begin);
+  for (const char separator : {',', ';', '\t'}) {
+    const std::size_t count = count_outside_quotes(first, separator);
+    if (count == 0) continue;
+    const std::string_view cell = trimmed(first.substr(0, first.find(separator)));
+    const bool is_row = number_of(cell) || (separator != ',' && !with_point(cell).empty());
+    return is_row && count_outside_quotes(names, separator) == count ? names : "";
+  }
+  const bool is_row = is_numbers_between_blanks(first);
+  return is_row && words_in(names) == words_in(first) ? names : "";
 }
 
 /// "rad/s" of "[rad/s]" or "(rad/s)".
@@ -111,11 +168,22 @@ CsvReader::CsvReader(const std::filesystem::path& file, CutEnd cut_end, UnitsRow
   } while (line.starts_with('#') || trimmed(line).empty() || separator_stated_by(line) != 0);
   line_ = lines_.line_number();
   check_encoding(line);
+  std::string header = names_in_comment(comments_, line);
+  if (!header.empty()) read_ahead_.emplace(line);
+  take_header(header.empty() ? std::string(line) : std::move(header));
+  look_behind_header(units_row);
+}
+
+/// Reads on to the line behind it, by which blanks are known to separate.
+void CsvReader::take_header(std::string line) {
+  std::string_view behind;
+  if (!read_ahead_ && next_behind_comments(behind)) read_ahead_.emplace(behind);
   find_separator(line);
   split(line);
   header_.assign(cells_.begin(), cells_.end());
+  const bool ends = read_ahead_ && ends_with_separator(*read_ahead_, separator_);
+  if (header_.size() > 1 && header_.back().empty() && ends) header_.pop_back();
   check_header();
-  take_units(units_row);
 }
 
 void CsvReader::find_separator(std::string_view header) {
@@ -125,15 +193,50 @@ void CsvReader::find_separator(std::string_view header) {
     if (count > most) separator_ = other;
     most = std::max(most, count);
   }
+  const bool has_blanks = most == 0 && words_in(header) > 1 && header.find('"') == header.npos;
+  if (has_blanks && read_ahead_ && words_in(*read_ahead_) == words_in(header) &&
+      is_numbers_between_blanks(*read_ahead_)) {
+    separator_ = ' ';
+  }
 }
 
-/// Reads the line behind the header. It is one of units if no cell is a number and half of them or
-/// more are units.
+void CsvReader::look_behind_header(UnitsRow units_row) {
+  if (!read_ahead_ || trimmed(*read_ahead_).empty()) return;
+  refuse_other_separator();
+  take_units(units_row);
+}
+
+/// A header of one name before rows of several cells, or the other way round, names columns that
+/// nobody has.
+void CsvReader::refuse_other_separator() const {
+  struct Separator {
+    char letter;
+    const char* name;
+  };
+  constexpr Separator kSeparators[] = {
+      {',', "commas"}, {';', "semicolons"}, {'\t', "tabs"}, {'|', "upright lines"}};
+  if (separator_ == ' ' || count_outside_quotes(*read_ahead_, separator_) > 0) return;
+  for (const Separator& other : kSeparators) {
+    if (other.letter == separator_) continue;
+    const std::size_t count = count_outside_quotes(*read_ahead_, other.letter);
+    const bool may_be_decimal = other.letter == ',' && count == 1 && header_.size() == 1;
+    if (count == 0 || may_be_decimal) continue;
+    const bool is_one = header_.size() == 1;
+    refuse_row(fmt::format(
+        "the header has {}, the line behind it has {} between {}; one table has one separator, "
+        "commas, semicolons, tabs or blanks",
+        is_one ? "one name"
+               : fmt::format("{} names between {}", header_.size(),
+                             separator_ == ','   ? "commas"
+                             : separator_ == ';' ? "semicolons"
+                                                 : "tabs"),
+        count + 1, other.name));
+  }
+}
+
+/// The line behind the header is one of units if no cell is a number and half of them or more are
+/// units.
 void CsvReader::take_units(UnitsRow units_row) {
-  std::string_view line;
-  if (!lines_.next(line)) return;
-  read_ahead_.emplace(line);
-  if (trimmed(line).empty()) return;
   line_ = lines_.line_number();
   split(*read_ahead_);
   std::size_t known = 0;
@@ -151,8 +254,16 @@ void CsvReader::take_units(UnitsRow units_row) {
   read_ahead_.reset();
 }
 
+/// Comments may stand between rows too, as a recorder writes what it was told.
+bool CsvReader::next_behind_comments(std::string_view& line) {
+  while (lines_.next(line)) {
+    if (!line.starts_with('#')) return true;
+  }
+  return false;
+}
+
 bool CsvReader::next_line(std::string_view& line) {
-  if (!read_ahead_) return lines_.next(line);
+  if (!read_ahead_) return next_behind_comments(line);
   present_ = std::move(*read_ahead_);
   read_ahead_.reset();
   line = present_;
@@ -163,7 +274,9 @@ std::string CsvReader::dialect() const {
   const std::string form = lines_.form();
   if (separator_ == ',') return form;
   return fmt::format("{}{}columns are separated by {}{}", form, form.empty() ? "" : "; ",
-                     separator_ == ';' ? "semicolons" : "tabs",
+                     separator_ == ';'   ? "semicolons"
+                     : separator_ == ' ' ? "blanks"
+                                         : "tabs",
                      decimal_mark_ == ',' ? ", decimals are commas" : "");
 }
 
@@ -222,7 +335,7 @@ bool CsvReader::next() {
     return true;
   }
   const std::size_t empty_line = lines_.line_number();
-  while (lines_.next(line)) {
+  while (next_behind_comments(line)) {
     if (trimmed(line).empty()) continue;
     throw SpecError({{file(), "", fmt::format("line {}: empty, between rows", empty_line)}});
   }
@@ -233,7 +346,7 @@ bool CsvReader::next() {
 bool CsvReader::drops_cut_end() {
   std::string_view line;
   const std::vector<std::string> short_row(cells_.begin(), cells_.end());
-  while (lines_.next(line)) {
+  while (next_behind_comments(line)) {
     if (trimmed(line).empty()) continue;
     cells_.assign(short_row.begin(), short_row.end());
     check_row();
@@ -316,6 +429,7 @@ std::string CsvReader::place() const {
 }
 
 void CsvReader::split(std::string_view line) {
+  if (separator_ == ' ') return split_at_blanks(line);
   cells_.clear();
   unquoted_.clear();
   const auto needs_own = [](char each) { return each == '"' || each == ','; };
@@ -349,8 +463,25 @@ void CsvReader::split(std::string_view line) {
       end = std::min(line.find(separator_, place), line.size());
       add_cell(trimmed(line.substr(place, end - place)));
     }
-    if (end == line.size()) return;
+    if (end == line.size()) break;
     place = end + 1;
+  }
+  // A separator at the end of each row begins no cell.
+  const bool is_ended = cells_.size() == header_.size() + 1 && cells_.back().empty();
+  if (is_ended && !header_.empty()) cells_.pop_back();
+}
+
+void CsvReader::split_at_blanks(std::string_view line) {
+  cells_.clear();
+  unquoted_.clear();
+  unquoted_.reserve(words_in(line));
+  for (line = trimmed(line); !line.empty();) {
+    if (cells_.size() == kMostColumns) {
+      refuse_row(fmt::format("more than the allowed {} columns", kMostColumns));
+    }
+    const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
+    add_cell(line.substr(0, end));
+    line = trimmed(line.substr(end));
   }
 }
 

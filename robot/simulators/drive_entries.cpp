@@ -10,7 +10,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "actuator/exporters/exporter.hpp"
 #include "actuator/exporters/simulator_file.hpp"
@@ -41,6 +43,7 @@ struct Fitted {
   Shape shape;
   std::vector<std::string> note;
   std::optional<JointFriction> friction;  ///< Beside the law; none: in it.
+  double armature_kg_m2 = 0.0;            ///< By its own document; 0: that states none.
 };
 
 Fitted fitted(const actuator::Actuator& document, const std::string& file,
@@ -53,7 +56,8 @@ Fitted fitted(const actuator::Actuator& document, const std::string& file,
   }
   const actuator::ExportedDrive drive(document, exporter, {.friction = friction});
   actuator::SimulatorFile written = actuator::simulator_file(drive.subject(), exporter, {});
-  return {file, std::move(written.shape), std::move(written.note), drive.subject().friction};
+  return {file, std::move(written.shape), std::move(written.note), drive.subject().friction,
+          drive.subject().armature_kg_m2()};
 }
 
 /// What each actuator carries and how fast it turns for a joint alone, per unit of the joint's.
@@ -106,6 +110,17 @@ JointFriction friction_of_joint(const std::vector<const Fitted*>& drives, const 
   return sum;
 }
 
+/// What the drives' rotors are at a joint alone, by their own documents.
+double armature_of_joint(const std::vector<const Fitted*>& drives, const Shares& shares,
+                         Eigen::Index joint) {
+  double sum_kg_m2 = 0.0;
+  for (std::size_t k = 0; k < drives.size(); ++k) {
+    const double share = shares.speed(static_cast<Eigen::Index>(k), joint);
+    sum_kg_m2 += share * share * drives[k]->armature_kg_m2;
+  }
+  return sum_kg_m2;
+}
+
 /// A simulator's drive overrules what its robot's file says of the joint, so that what the joint
 /// has itself counts here.
 void add_own(const dynamics::PassiveForces& passive, JointFriction& friction) {
@@ -136,6 +151,7 @@ class Collector {
       for (std::size_t k = 0; k < drivetrain.actuators.size(); ++k) known(drivetrain, k);
     }
     for (const Drivetrain& drivetrain : robot_.drivetrains) add(drivetrain);
+    note_armatures();
     notes_.emplace_back(
         "each drive loads the battery alone, and heats alone: neither is held by a line between "
         "torque and speed");
@@ -185,11 +201,33 @@ class Collector {
       if (friction_ == FrictionPlace::kJoint) friction = friction_of_joint(drives, *shares, j);
       const std::size_t body = drivetrain.joints[static_cast<std::size_t>(j)];
       if (friction) add_own(robot_.tree.bodies[body].joint.passive, *friction);
+      see_armature(body, armature_of_joint(drives, *shares, j));
       add_joint(drivetrain, static_cast<std::size_t>(j), *shares, shapes.back(), friction,
                 postures_of(drivetrain, drives, j));
     }
     note_coupling(drivetrain, drives, *shares, shapes);
     note_postures(drivetrain, drives, shapes);
+  }
+
+  void see_armature(std::size_t body, double of_drives_kg_m2) {
+    const double written_kg_m2 = tree_.bodies[body].joint.reflected_inertia;
+    const double off_kg_m2 = std::abs(written_kg_m2 - of_drives_kg_m2);
+    if (off_kg_m2 <= kSame * std::max(written_kg_m2, of_drives_kg_m2)) return;
+    other_armatures_[{written_kg_m2, of_drives_kg_m2}].push_back(joint_name(body));
+  }
+
+  /// Below stands what a drive's document says of its rotor: where the robot says another number,
+  /// that one is written.
+  void note_armatures() {
+    for (const auto& [armatures, joints] : other_armatures_) {
+      const auto& [written_kg_m2, of_drives_kg_m2] = armatures;
+      notes_.push_back(fmt::format(
+          "{}: the armature written here, {:.4g} kg m^2, is the robot's own; by the drive's "
+          "document it would be {}",
+          fmt::join(joints, ", "), written_kg_m2,
+          of_drives_kg_m2 > 0.0 ? fmt::format("{:.4g} kg m^2 (below)", of_drives_kg_m2)
+                                : "unknown: that states no inertia of the rotor"));
+    }
   }
 
   void add_joint(const Drivetrain& drivetrain, std::size_t j, const Shares& shares,
@@ -320,6 +358,8 @@ class Collector {
   std::vector<Fitted> fitted_;
   std::vector<DriveEntry> entries_;
   std::set<std::string> names_;
+  /// Joints by what is written and what their drives' documents say, where these differ [kg m^2].
+  std::map<std::pair<double, double>, std::vector<std::string>> other_armatures_;
 };
 
 }  // namespace

@@ -30,7 +30,8 @@ void add_calibration_options(command_line::Command& command, CalibrationRequest&
       .always_stated_as("posture");
   command
       .add_option("--tolerance", request.tolerance,
-                  "Share by which a CAV may be off to count as met; 0.01 covers the rounding of "
+                  "Share by which a CAV (mean angular velocity) may be off to count as met; 0.01 "
+                  "covers the rounding of "
                   "6.0 and 7.4")
       .between(1e-6, 0.5);
   command

@@ -27,7 +27,7 @@ void add_questions(command_line::Command& command, MorRequest& request) {
           .add_option(
               "--need", request.need,
               "TORQUE@SPEED in Nm and rad/s, or with units, 100@95rpm: say whether it is reached, "
-              "and if not, what would do")
+              "and if not, what would do; --plot draws it into the region")
           .otherwise("not asked");
   add_lever(command, request.lever_m);
   command_line::Option ratio =
@@ -46,9 +46,8 @@ void add_questions(command_line::Command& command, MorRequest& request) {
     for (const char* other : {"--format", "--table", "--at-speed", "--accuracy"})
       question->excludes(other);
   }
-  for (command_line::Option* question : {&need, &ratio}) {
-    question->excludes("--plot").excludes("--side");
-  }
+  need.excludes("--side");
+  ratio.excludes("--plot").excludes("--side");
 }
 
 void add_mor_plot_options(command_line::Command& command, MorPlotOptions& options) {

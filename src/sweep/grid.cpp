@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
 
 #include "io/faults/refusal.hpp"
-#include "io/text/rational.hpp"
+#include "io/text/stepped_range.hpp"
 
 namespace torquewright::sweep {
 namespace {
@@ -22,10 +20,10 @@ constexpr const char* kOption = "--sweep";
              fmt::format("\"{}\": {}; the form is NAME=FROM:TO[:STEP] or NAME=A,B,C", text, why));
 }
 
-std::vector<std::string> parts_of(const std::string& text, char separator) {
+std::vector<std::string> parts_of(const std::string& text) {
   std::vector<std::string> parts(1);
   for (const char c : text) {
-    if (c == separator) {
+    if (c == ',') {
       parts.emplace_back();
     } else {
       parts.back() += c;
@@ -34,34 +32,22 @@ std::vector<std::string> parts_of(const std::string& text, char separator) {
   return parts;
 }
 
-Rational number_in(const std::string& text, const std::string& part) {
-  try {
-    const Rational number = io::rational_from_numeral(part);
-    if (std::isfinite(io::nearest(number))) return number;
-    refuse(text, fmt::format("\"{}\" is beyond all numbers that are computed with", part));
-  } catch (const std::invalid_argument&) {
-    refuse(text, fmt::format("\"{}\" is not a number", part));
-  }
+io::RangeRule rule_of(const std::string& text) {
+  return {.refuse = [text](const std::string& why) { refuse(text, why); }, .most = kMostPoints};
 }
 
-std::vector<double> steps(const std::string& text, const std::vector<std::string>& parts) {
-  if (parts.size() > 3) refuse(text, "a range is FROM:TO:STEP or FROM:TO");
-  const Rational from = number_in(text, parts[0]);
-  const Rational to = number_in(text, parts[1]);
-  const Rational step = parts.size() == 3 ? number_in(text, parts[2]) : Rational(1);
-  if (step <= 0) refuse(text, fmt::format("the step {} is not above 0", parts[2]));
-  if (from > to) refuse(text, fmt::format("{} lies above {}", parts[0], parts[1]));
-  if ((to - from) / step >= kMostPoints) {
-    refuse(text, fmt::format("these are more than {} values", kMostPoints));
-  }
+std::vector<double> steps(const std::string& text, const std::string& range) {
   std::vector<double> values;
-  for (Rational value = from; value <= to; value += step) values.push_back(io::nearest(value));
+  for (const Rational& value : io::values_of(io::read_stepped_range(range, rule_of(text)))) {
+    values.push_back(io::nearest(value));
+  }
   return values;
 }
 
 std::vector<double> listed(const std::string& text, const std::vector<std::string>& parts) {
   std::vector<double> values;
-  for (const std::string& part : parts) values.push_back(io::nearest(number_in(text, part)));
+  for (const std::string& part : parts)
+    values.push_back(io::nearest(io::read_range_number(part, rule_of(text))));
   std::sort(values.begin(), values.end());
   const auto twice = std::adjacent_find(values.begin(), values.end());
   if (twice != values.end()) refuse(text, fmt::format("{} stands there twice", *twice));
@@ -101,9 +87,8 @@ Axis read_axis(const std::string& text) {
   const std::string range = text.substr(equals + 1);
   if (name.empty()) refuse(text, "the name is missing");
   if (range.empty()) refuse(text, "the values are missing");
-  const std::vector<std::string> parts = parts_of(range, ':');
-  if (parts.size() > 1) return {name, steps(text, parts)};
-  return {name, listed(text, parts_of(range, ','))};
+  if (io::is_range(range)) return {name, steps(text, range)};
+  return {name, listed(text, parts_of(range))};
 }
 
 Grid read_grid(const std::vector<std::string>& texts) {

@@ -97,9 +97,11 @@ TEST_F(Calibrate, RefusesWhatDoesNotRead) {
     EXPECT_EQ(outcome.out, "");
     return outcome.err;
   };
-  EXPECT_EQ(refusal({"--target", "cav=7.4:10.6"}), "--target: states no CAM: cam=N in N m s\n");
+  EXPECT_EQ(
+      refusal({"--target", "cav=7.4:10.6"}),
+      "--target: states no CAM (angular momentum about the centre of mass): cam=N in N m s\n");
   EXPECT_EQ(refusal({"--target", "cam=6"}),
-            "--target: states no CAV: cav=N:N or cav@POSTURE=N in rad/s\n");
+            "--target: states no CAV (mean angular velocity): cav=N:N or cav@POSTURE=N in rad/s\n");
   EXPECT_EQ(refusal({"--target", "cam=6", "--target", "cam=6"}), "--target: CAM is given twice\n");
   EXPECT_NE(refusal({"--target", "cam=-6"}).find("must be from"), std::string::npos);
   EXPECT_NE(refusal({"--target", "cam=nan"}).find("must be cam=N"), std::string::npos);

@@ -3,6 +3,7 @@
 // result.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "io/documents/schema.hpp"
@@ -44,6 +45,46 @@ TEST(Synthesis, IsWhatStrengthAndActuatorTake) {
   EXPECT_EQ(verify.err,
             "result.json#/certificate: holds no claims: what a synthesis proves cannot be checked "
             "again yet\n");
+}
+
+// One screen of a terminal of 40 rows; the rest by --all.
+TEST(Synthesis, AnswersOnOneScreen) {
+  const Workplace place;
+  place.write("gears.json", kEightLines);
+  const Outcome screen = place.run({"gearbox", "optimize", "gears.json"});
+  EXPECT_EQ(screen.exit_code, 0) << screen.err;
+  EXPECT_LE(std::count(screen.out.begin(), screen.out.end(), '\n'), 30) << screen.out;
+  for (const char* line :
+       {"\n1. sun ", "\n  ratio             20 sun over output\n", "\n  efficiency ",
+        "\n  strength          the teeth bear 120 of 120 Nm", "\n  face widths       layer 1 ",
+        "\n  tightest ", "\nnext: torquewright gearbox optimize gears.json --all"}) {
+    EXPECT_NE(screen.out.find(line), std::string::npos) << line << screen.out;
+  }
+  const Outcome all = place.run({"gearbox", "optimize", "gears.json", "--all"});
+  EXPECT_EQ(all.exit_code, 0);
+  for (const char* line : {"\n  gear           teeth", "\n  constraint    margin",
+                           "\nSearch: ", "\nBound that nothing beats: "}) {
+    EXPECT_NE(all.out.find(line), std::string::npos) << line;
+    EXPECT_EQ(screen.out.find(line), std::string::npos) << line;
+  }
+}
+
+// "Optimal" is said with what the teeth bear, in the one line of -q too.
+TEST(Synthesis, QuietAnswersSayWhatTheTeethBear) {
+  const Workplace place;
+  place.write("gears.json", kEightLines);
+  const std::string sized = place.run({"gearbox", "optimize", "gears.json", "-q"}).out;
+  EXPECT_TRUE(sized.starts_with("optimal: proved within ")) << sized;
+  EXPECT_NE(sized.find("the teeth bear 120 of 120 Nm"), std::string::npos) << sized;
+  const std::string plain =
+      place.run({"gearbox", "optimize", in_specs("gearbox/d151_knee.json"), "-q"}).out;
+  EXPECT_TRUE(
+      plain.starts_with("optimal: proved, nothing is better; 44/44/32/132/120: DOES NOT "
+                        "BEAR the load: the teeth bear "))
+      << plain;
+  for (const std::string& answer : {sized, plain}) {
+    EXPECT_EQ(std::count(answer.begin(), answer.end(), '\n'), 1) << answer;
+  }
 }
 
 TEST(Synthesis, EndsWithABoundAndRefusesWhatItDoesNotKnow) {

@@ -88,8 +88,10 @@ TEST(Contributing, NamesPathsThatAre) {
 TEST(Docs, ShowEveryPicture) {
   Names shown = links_of("README.md");
   for (const fs::path& page : files_in("docs", ".md")) shown.merge(links_of(page));
-  for (const fs::path& picture : files_in("docs/pictures", ".png")) {
-    EXPECT_TRUE(shown.contains(picture.generic_string())) << picture << " is on no page";
+  for (const char* ending : {".png", ".svg"}) {
+    for (const fs::path& picture : files_in("docs/pictures", ending)) {
+      EXPECT_TRUE(shown.contains(picture.generic_string())) << picture << " is on no page";
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <ostream>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -163,6 +164,53 @@ TEST_F(Window, WatchedPicturesFollowTheirDocument) {
   EXPECT_EQ(terminal.run({"torquewright actuator mor drive.json --plot again.svg"}).exit_code, 0);
   EXPECT_EQ(place_.text("again.svg"), second);
 }
+
+/// A command that watches, the copy of an input that is changed, and what it writes.
+struct Watched {
+  const char* what;
+  std::string command;
+  const char* input;
+  const char* output;
+};
+void PrintTo(const Watched& watched, std::ostream* out) { *out << watched.what; }
+
+class WatchedMotion : public Window, public testing::WithParamInterface<Watched> {};
+
+// Oracle: the same command without --watch, on the motion as it is then.
+TEST_P(WatchedMotion, IsDrawnAgain) {
+  const Watched& watched = GetParam();
+  const std::string motion =
+      cli_test::text_of(cli_test::in_repository(std::string("specs/trajectory/") + watched.input));
+  place_.write("motion.csv", motion);
+  Terminal terminal(place_.path(), TORQUEWRIGHT_PROGRAM, kColumns, kRows);
+  terminal.type(watched.command + " --watch > said.txt");
+  terminal.press("Enter");
+  ASSERT_TRUE(terminal.comes("Ctrl-C ends it"));
+  const std::string first = place_.text(watched.output);
+  place_.write("motion.csv", motion.substr(0, motion.rfind('\n', motion.size() - 2) + 1));
+  std::string second = first;
+  for (int look = 0; look < 300 && second == first; ++look) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    second = place_.text(watched.output);
+  }
+  EXPECT_NE(second, first);
+  terminal.press("C-c");
+  const int code = terminal.wait().exit_code;
+  EXPECT_EQ(terminal.run({watched.command + " > again.txt"}).exit_code, code);
+  EXPECT_EQ(place_.text(watched.output), second);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Window, WatchedMotion,
+    testing::Values(
+        Watched{"a picture of one drive",
+                "torquewright actuator check motion.csv --joint knee=specs/actuator/d151_knee.json "
+                "--plot check.svg",
+                "knee_extension.csv", "check.svg"},
+        Watched{"a robot's page",
+                "torquewright hopper check specs/robot/planar_leg.json motion.csv --report "
+                "page.html",
+                "leg_squat.csv", "page.html"}));
 
 }  // namespace
 }  // namespace torquewright::journeys

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -208,6 +209,58 @@ TEST(GearboxDrawing, StatesWhatItShows) {
         "blank \xC3\x98 83.40", "\xC3\x98 12.00", "\xCE\xB1 = 30.00\xC2\xB0", ">20 mm<"}) {
     EXPECT_NE(svg.find(text), std::string::npos) << text;
   }
+}
+
+/// Rectangles of a class: x, y, width, height.
+std::vector<std::array<double, 4>> rectangles(const std::string& svg, const std::string& style) {
+  std::vector<std::array<double, 4>> found;
+  const std::string start = "<rect class=\"" + style + "\"";
+  for (std::size_t at = svg.find(start); at != std::string::npos; at = svg.find(start, at + 1)) {
+    found.push_back({std::stod(between(svg, "x=\"", "\"", at)),
+                     std::stod(between(svg, "y=\"", "\"", at)),
+                     std::stod(between(svg, "width=\"", "\"", at)),
+                     std::stod(between(svg, "height=\"", "\"", at))});
+  }
+  return found;
+}
+
+// Oracle: by hand at scale 2:1, S of 44 teeth of 0.6 mm: root at 26.4 - 2 * 1.25 * 0.6 = 24.9 mm,
+// bore 12 mm; P1 at 26.4 mm from the axis. (The legend has a rectangle of each gear too.)
+TEST(GearboxDrawing, CutsAlongTheAxisToScale) {
+  DrawnGearbox drawing = d151();
+  drawing.face_width_mm = {8.0, 6.5};
+  const std::string svg = gearbox_drawing(drawing);
+  ASSERT_NE(svg.find("scale 2:1 (A4 x 3)"), std::string::npos);
+  const auto sun = rectangles(svg, "sun"), planet = rectangles(svg, "planet_2");
+  ASSERT_EQ(sun.size(), 3u);
+  ASSERT_EQ(planet.size(), 2u);
+  EXPECT_NEAR(sun[0][2], 16.0, 1e-3);                       // 2 * 8 mm
+  EXPECT_NEAR(sun[0][3], 0.5 * (24.9 - 12.0) * 2.0, 1e-3);  // from bore to root
+  EXPECT_NEAR(planet[0][2], 13.0, 1e-3);                    // 2 * 6.5 mm
+  EXPECT_NEAR(planet[0][0], sun[0][0] + 16.0 + 1.2, 1e-3);  // a module between the layers
+  const double axis_y = sun[0][1] + sun[0][3] + 12.0;       // the bore's radius below
+  EXPECT_NEAR(planet[0][1] + 0.5 * planet[0][3], axis_y - 2.0 * 26.4, 1e-3);
+  for (const char* words : {">b1 = 8<", ">b2 = 6.5<",
+                            ">Dashed: 0.6 mm between the layers are "
+                            "assumed.<",
+                            ">Not known and not drawn: carrier, pins, bearings.<"}) {
+    EXPECT_NE(svg.find(words), std::string::npos) << words;
+  }
+  EXPECT_EQ(svg.find("(assumed)"), std::string::npos);
+}
+
+TEST(GearboxDrawing, SaysThatWidthsAreAssumed) {
+  for (const DrawnGearbox& drawing : {d151(), planetary()}) {
+    const std::string svg = gearbox_drawing(drawing);
+    EXPECT_NE(svg.find(">Face widths are not stated: ten modules are assumed.<"),
+              std::string::npos);
+    EXPECT_NE(svg.find(" (assumed)<"), std::string::npos);
+  }
+  EXPECT_NE(gearbox_drawing(d151()).find(">b1 = 6 (assumed)<"), std::string::npos);
+  EXPECT_NE(gearbox_drawing(planetary()).find("(A3), lengths in mm"), std::string::npos);
+  DrawnGearbox wrong = d151();
+  wrong.face_width_mm = {8.0, 0.0};
+  EXPECT_THROW((void)gearbox_drawing(wrong), std::invalid_argument);
 }
 
 TEST(GearboxDrawing, NamesTheClockingOfDifferentPlanets) {

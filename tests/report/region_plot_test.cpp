@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace torquewright::report {
 namespace {
 
@@ -37,6 +39,43 @@ TEST(RegionPlot, PrintsCornersAndNamesQuadrants) {
   EXPECT_EQ(script.find("Nm at 0 rad/s"), std::string::npos);
   EXPECT_NE(script.find("'driving' at graph 0.985,0.965"), std::string::npos);
   EXPECT_NE(script.find("'braking' at graph 0.985,0.035"), std::string::npos);
+}
+
+actuator::MorTable box() {
+  actuator::MorTable table;
+  table.rows = {row(-10, -100, Limiter::kCurrent, 100, Limiter::kCurrent),
+                row(10, -100, Limiter::kCurrent, 100, Limiter::kCurrent)};
+  return table;
+}
+
+// By hand: 100 Nm are there at 5 rad/s, so 130 miss 30 and 80 leave 20.
+TEST(RegionPlot, ShowsTheNeedWithItsDistanceToTheBound) {
+  const auto drawn = [](const PlottedNeed& need) {
+    return region_plot(PlotFormat::kSvg, "knee", {{"peak", box()}}, need);
+  };
+  const std::string missed = drawn({5, 130, -30, 100});
+  EXPECT_NE(missed.find("'needed: 130 Nm at 5 rad/s, 30 Nm missing' at 5,130"), std::string::npos)
+      << missed;
+  EXPECT_NE(missed.find("set arrow from 5,130 to 5,100"), std::string::npos);
+  EXPECT_NE(missed.find("set yrange [-123:153]"), std::string::npos);  // a tenth of 230 around
+  const std::string reached = drawn({5, 80, 20, 100});
+  EXPECT_NE(reached.find("'needed: 80 Nm at 5 rad/s, margin 20 Nm'"), std::string::npos);
+  const double none = -std::numeric_limits<double>::infinity();
+  const std::string nowhere = drawn({50, 80, none, 0});
+  EXPECT_NE(nowhere.find("'needed: 80 Nm at 50 rad/s, no torque is there'"), std::string::npos);
+  EXPECT_EQ(nowhere.find("set arrow"), std::string::npos);
+  EXPECT_NE(nowhere.find("set xrange [-13.6:53.6]"), std::string::npos);
+}
+
+// A limiter is told apart: a pack's power from a supply's current.
+TEST(RegionPlot, NamesTheSupplyWhereThereIsNoBattery) {
+  actuator::MorTable table = box();
+  table.rows[1].range.greatest.limiter = Limiter::kBatteryPower;
+  const std::string pack = region_plot(PlotFormat::kSvg, "knee", {{"peak", table, true}});
+  EXPECT_NE(pack.find("'limited by battery_power'"), std::string::npos);
+  const std::string supply = region_plot(PlotFormat::kSvg, "knee", {{"peak", table, false}});
+  EXPECT_NE(supply.find("'limited by supply_current'"), std::string::npos);
+  EXPECT_EQ(supply.find("battery_power"), std::string::npos);
 }
 
 }  // namespace

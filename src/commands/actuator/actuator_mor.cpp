@@ -59,7 +59,7 @@ bool wants_rows(const MorRequest& request) {
 void read_question(const MorRequest& request, MorInputs& inputs) {
   if (!request.ratios.empty()) inputs.ratios = ratio_range_of(request);
   inputs.need = need_of(request);
-  if (inputs.ratios || inputs.need || request.plot.file.empty()) return;
+  if (inputs.ratios || request.plot.file.empty()) return;
   inputs.picture = report::plot_format(request.plot.file);
   if (inputs.compared) return;
   inputs.overlays = overlays_of(request.plot, inputs.read.actuator, inputs.conditions);
@@ -115,8 +115,14 @@ MorAnswer answer_need(const MorInputs& inputs, const actuator::Need& need) {
   catch_interrupt();
   const actuator::NeedAnswer answer =
       actuator::answer_need(inputs.read.actuator, inputs.conditions, need, is_interrupted);
+  std::string plot;
+  if (inputs.picture) {
+    plot = region_plot_of(*inputs.picture, inputs.read.actuator, inputs.overlays,
+                          actuator::Side::kJoint, AnsweredNeed{need, answer});
+  }
   return {.report = Report{result_text(report::need_json(need, answer), inputs.read.documents),
                            report::need_text(inputs.read.actuator, need, answer)},
+          .plot = std::move(plot),
           .code = code_of(answer)};
 }
 

@@ -41,8 +41,10 @@ std::string comparison_result(const ComparedActuator& from, const ComparedActuat
 std::string comparison_plot(report::PlotFormat format, const ComparedActuator& from,
                             const ComparedActuator& to, actuator::Side side) {
   const std::vector<report::PlottedRegion> regions{
-      {io::name_in_text(to.file), actuator::mor_table(region_of(to, side))},
-      {io::name_in_text(from.file), actuator::mor_table(region_of(from, side))}};
+      {io::name_in_text(to.file), actuator::mor_table(region_of(to, side)),
+       to.read.actuator.battery.has_value()},
+      {io::name_in_text(from.file), actuator::mor_table(region_of(from, side)),
+       from.read.actuator.battery.has_value()}};
   return report::region_plot(
       format, fmt::format("{}: motor operating regions compared", to.read.actuator.name), regions);
 }

@@ -41,17 +41,34 @@ std::vector<Overlay> overlays_of(const MorPlotOptions& options, const actuator::
   return all;
 }
 
+namespace {
+
+report::PlottedNeed plotted(const AnsweredNeed& needed) {
+  const auto& [need, answer] = needed;
+  const double greatest_Nm = answer.range.greatest.torque_Nm;
+  const double least_Nm = answer.range.least.torque_Nm;
+  const bool is_nearer_above = greatest_Nm - need.torque_Nm <= need.torque_Nm - least_Nm;
+  return {need.speed_rad_s, need.torque_Nm, answer.margin_Nm,
+          is_nearer_above ? greatest_Nm : least_Nm};
+}
+
+}  // namespace
+
 std::string region_plot_of(report::PlotFormat format, const actuator::Actuator& actuator,
-                           const std::vector<Overlay>& overlays, actuator::Side side) {
+                           const std::vector<Overlay>& overlays, actuator::Side side,
+                           const std::optional<AnsweredNeed>& needed) {
   std::vector<report::PlottedRegion> regions;
   for (const Overlay& overlay : overlays) {
-    regions.push_back(
-        {overlay.label, actuator::mor_table(actuator::Region(actuator, overlay.conditions, side))});
+    regions.push_back({overlay.label,
+                       actuator::mor_table(actuator::Region(actuator, overlay.conditions, side)),
+                       actuator.battery.has_value()});
   }
   const char* place = side == actuator::Side::kMotor ? "motor" : "joint";
   const std::string title =
       fmt::format("{}: motor operating region at the {}", actuator.name, place);
-  return report::region_plot(format, title, regions);
+  std::optional<report::PlottedNeed> point;
+  if (needed) point = plotted(*needed);
+  return report::region_plot(format, title, regions, point);
 }
 
 }  // namespace torquewright::cli

@@ -23,6 +23,9 @@ report::DrawnGearbox drawn_gearbox(const gearbox::Problem& problem, const gearbo
   if (design.layer_2_module_mm) {
     drawing.layer_2_module_mm = io::nearest(*design.layer_2_module_mm);
   }
+  for (const auto& [layer, width_mm] : problem.face_width_mm) {
+    drawing.face_width_mm.push_back(io::nearest(width_mm));
+  }
   const gearbox::GearTrain train = gearbox::gear_train(problem, report.design);
   drawing.cutters = train.cutters;
   for (const gearbox::ConstraintReport& violated : gearbox::what_cannot_exist(train)) {

@@ -65,7 +65,8 @@ ExitCode run_drawing(const DrawingOptions& options) {
   check_written(named({options.svg_file, options.dxf_file, options.step_file}),
                 {options.result_file});
   require_svg("--svg", options.svg_file);
-  const report::DrawnGearbox drawn = drawn_gearbox(read.problem, read.design);
+  report::DrawnGearbox drawn = drawn_gearbox(read.problem, read.design);
+  if (!read.face_width_mm.empty()) drawn.face_width_mm = read.face_width_mm;
   const report::DrawingLayout layout = report::lay_out(drawn);
   const report::BodySizes sizes = body_sizes(
       {options.result_file, options.face_width_mm, options.bore, !options.step_file.empty()},

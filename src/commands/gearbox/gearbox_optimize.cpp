@@ -11,7 +11,6 @@
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/search/search.hpp"
-#include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/synthesis_defaults_spec.hpp"
 #include "gearbox/verification/verification_json.hpp"
 #include "io/faults/refusal.hpp"
@@ -23,10 +22,10 @@
 #include "src/commands/shared/result_json.hpp"
 #include "src/interrupt.hpp"
 #include "src/loudness.hpp"
+#include "src/report/gearbox/design_text.hpp"
 #include "src/report/gearbox/gearbox_text.hpp"
 #include "src/report/gearbox/proof_text.hpp"
 #include "src/report/parts/progress_line.hpp"
-#include "src/report/parts/shell_word.hpp"
 #include "src/standard_output.hpp"
 #include "src/window_text.hpp"
 
@@ -116,19 +115,14 @@ OptimizeAnswer compute(const OptimizeRequest& request, const ReadProblem& inputs
 std::string next_line(const OptimizeRequest& request, const gearbox::Problem& problem,
                       const OptimizeAnswer& answer) {
   if (request.all || loudness().is_verbose || answer.found.designs.empty()) return "";
-  std::string more = problem.steel ? "" : std::string(" --steel ") + gearbox::kAssumedSteel;
-  if (problem.face_width_mm.empty()) more += " --face-width MM";
-  if (!problem.load_output_torque_Nm) more += " --torque NM";
-  return fmt::format(
-      "next: torquewright gearbox optimize {} --all; -o RESULT.json, then torquewright gearbox "
-      "strength RESULT.json{}\n",
-      report::shell_word(request.problem_file), more);
+  return report::next_text(request.problem_file, problem);
 }
 
 void write(const OptimizeRequest& request, const gearbox::Problem& problem,
            const OptimizeAnswer& answer) {
   write_outputs(request.outputs, answer.json, answer.drawing,
-                !request.json  ? for_window(answer.text + next_line(request, problem, answer))
+                !request.json  ? for_window(answer.text + next_line(request, problem, answer),
+                                            report::optimization_answer(problem, answer.found))
                 : answer.check ? with_verdict(answer.json, *answer.check)
                                : answer.json);
 }
@@ -150,7 +144,6 @@ ExitCode exit_code_of(const OptimizeAnswer& answer) {
 ExitCode run_optimize(const OptimizeRequest& request) {
   const ReadProblem inputs = read(request);
   if (inputs.problem.synthesis) {
-    if (request.all) io::refuse("--all", "is of a search without synthesis, which prints all");
     catch_interrupt();
     return run_synthesis(request, inputs, end_of_search(request));
   }

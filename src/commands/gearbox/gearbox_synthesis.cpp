@@ -12,6 +12,8 @@
 #include "src/commands/gearbox/design_drawing.hpp"
 #include "src/commands/gearbox/gearbox_outputs.hpp"
 #include "src/commands/gearbox/synthesis_result_json.hpp"
+#include "src/loudness.hpp"
+#include "src/report/gearbox/design_text.hpp"
 #include "src/report/gearbox/synthesis_text.hpp"
 #include "src/report/parts/progress_line.hpp"
 #include "src/window_text.hpp"
@@ -68,13 +70,16 @@ ExitCode run_synthesis(const OptimizeRequest& request, const ReadProblem& read,
   const SynthesisResult found = synthesised(request, read.problem, is_over);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
   const std::string json = synthesis_result_json(request, read, found, seconds.count());
-  std::string text = report::synthesis_text(read.problem, found);
+  const bool has_all = request.all || loudness().is_verbose;
+  std::string text = report::synthesis_text(read.problem, found, has_all);
   if (request.timing) text += fmt::format("Search time: {:.4f} s\n", seconds.count());
+  if (found.best && !has_all) text += report::next_text(request.problem_file, found.best->problem);
   std::optional<std::string> drawing;
   if (!request.outputs.drawing.empty() && found.best) {
     drawing = drawing_of(found.best->problem, found.best->design);
   }
-  write_outputs(request.outputs, json, drawing, request.json ? json : for_window(text));
+  write_outputs(request.outputs, json, drawing,
+                request.json ? json : for_window(text, report::synthesis_answer(found)));
   return exit_code_of(found.status);
 }
 

@@ -18,7 +18,7 @@
 #include "src/report/motion/flip_text.hpp"
 #include "src/report/parts/gnuplot.hpp"
 #include "src/report/robot/momentum_plot.hpp"
-#include "src/report/robot/stick_figures.hpp"
+#include "src/report/robot/motion_figure.hpp"
 #include "src/standard_output.hpp"
 #include "src/window_text.hpp"
 
@@ -58,7 +58,7 @@ void add_pictures(const HopperFlipRequest& request, const report::HopperPage& pa
     files.push_back({request.momentum_file, report::picture_by_gnuplot(script, "--plot-momentum")});
   }
   if (!request.figures_file.empty()) {
-    files.push_back({request.figures_file, report::stick_figures(page)});
+    files.push_back({request.figures_file, report::motion_figure(page)});
   }
 }
 

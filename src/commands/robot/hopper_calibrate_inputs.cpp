@@ -171,7 +171,8 @@ calibration::Question question_of(const CalibrationRequest& request, const io::D
                                   const hopper::Robot& robot) {
   if (robot.tree.base == dynamics::BaseKind::kFixed) {
     throw io::SpecError({{document.file, "/base/motion",
-                          "\"fixed\": CAM is conserved in flight, and a fixed base does not fly"}});
+                          "\"fixed\": angular momentum (CAM) is conserved in flight, and a fixed "
+                          "base does not fly"}});
   }
   calibration::Question question;
   question.tree = robot.tree;
@@ -180,10 +181,12 @@ calibration::Question question_of(const CalibrationRequest& request, const io::D
   question.figures.tolerance = request.tolerance;
   for (const std::string& target : request.targets) read_target(target, robot, question.figures);
   if (question.figures.angular_momentum_Nm_s == 0.0) {
-    io::refuse("--target", "states no CAM: cam=N in N m s");
+    io::refuse("--target",
+               "states no CAM (angular momentum about the centre of mass): cam=N in N m s");
   }
   if (question.figures.speeds.empty()) {
-    io::refuse("--target", "states no CAV: cav=N:N or cav@POSTURE=N in rad/s");
+    io::refuse("--target",
+               "states no CAV (mean angular velocity): cav=N:N or cav@POSTURE=N in rad/s");
   }
   require_used(request.postures, robot, question.figures);
   for (const std::string& text : request.free) {

@@ -21,7 +21,7 @@
 #include "src/report/robot/hopper_screen.hpp"
 #include "src/report/robot/hopper_text.hpp"
 #include "src/report/robot/momentum_plot.hpp"
-#include "src/report/robot/stick_figures.hpp"
+#include "src/report/robot/motion_figure.hpp"
 #include "src/standard_output.hpp"
 #include "src/sweep/journal_json.hpp"
 #include "src/sweep/sweep.hpp"
@@ -91,7 +91,7 @@ std::vector<io::FileContent> pictures(const HopperCheckRequest& request,
               "--plot-momentum"));
   }
   if (!request.figures_file.empty()) {
-    add(request.figures_file, report::stick_figures(page));
+    add(request.figures_file, report::motion_figure(page));
   }
   if (!request.report_file.empty()) add(request.report_file, report::hopper_html(page));
   return files;

@@ -6,18 +6,21 @@
 
 #include <cmath>
 
+#include "actuator/motor/limiter_words.hpp"
+
 namespace torquewright::report {
 namespace {
 
 using namespace actuator;
 
-std::string range_sentence(const JointRange& range) {
+std::string range_sentence(const JointRange& range, bool has_battery) {
   if (range.is_empty) {
-    return fmt::format("the region is empty there ({})", name_of(range.why_empty));
+    return fmt::format("the region is empty there ({})", name_of(range.why_empty, has_battery));
   }
   return fmt::format("the region there is {:.6g} to {:.6g} Nm (limited by {} and {})",
-                     range.least.torque_Nm, range.greatest.torque_Nm, name_of(range.least.limiter),
-                     name_of(range.greatest.limiter));
+                     range.least.torque_Nm, range.greatest.torque_Nm,
+                     name_of(range.least.limiter, has_battery),
+                     name_of(range.greatest.limiter, has_battery));
 }
 
 std::string remedy(const char* what, const std::optional<double>& value, const char* unit,
@@ -33,15 +36,17 @@ std::string remedy(const char* what, const std::optional<double>& value, const c
 }  // namespace
 
 std::string need_text(const Actuator& actuator, const Need& need, const NeedAnswer& answer) {
-  std::string text =
-      fmt::format("{:.6g} Nm at {:.6g} rad/s: {}; {}", need.torque_Nm, need.speed_rad_s,
-                  answer.is_reached ? "reached" : "not reached", range_sentence(answer.range));
+  const bool has_battery = actuator.battery.has_value();
+  std::string text = fmt::format("{:.6g} Nm at {:.6g} rad/s: {}; {}", need.torque_Nm,
+                                 need.speed_rad_s, answer.is_reached ? "reached" : "not reached",
+                                 range_sentence(answer.range, has_battery));
   if (answer.is_reached) {
-    text += fmt::format("; margin {:.6g} Nm to {}\n", answer.margin_Nm, name_of(answer.limiter));
+    text += fmt::format("; margin {:.6g} Nm to {}\n", answer.margin_Nm,
+                        name_of(answer.limiter, has_battery));
   } else {
     if (std::isfinite(answer.margin_Nm))
       text += fmt::format("; {:.6g} Nm are missing, limited by {}", -answer.margin_Nm,
-                          name_of(answer.limiter));
+                          name_of(answer.limiter, has_battery));
     text += "\nAlone, with everything else as it is:\n";
     text += remedy("bus voltage", answer.least_bus_voltage_V, " V", answer.is_ended);
     text += remedy("current", answer.least_current_A, " A", answer.is_ended);

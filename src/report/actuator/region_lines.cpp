@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
+#include "actuator/motor/limiter_words.hpp"
 #include "src/report/parts/gnuplot.hpp"
 
 namespace torquewright::report {
@@ -42,13 +44,18 @@ const JointBound& bound_of(const MorRow& row, bool is_upper) {
   return is_upper ? row.range.greatest : row.range.least;
 }
 
+std::string limited_by(Limiter limiter, bool has_battery) {
+  return fmt::format("limited by {}", name_of(limiter, has_battery));
+}
+
 std::string point(const MorRow& row, bool is_upper) {
   return fmt::format("{:.9g},{:.9g}\n", row.speed_rad_s, bound_of(row, is_upper).torque_Nm);
 }
 
 }  // namespace
 
-RegionLines::RegionLines(const MorTable& table, std::string name) : name_(std::move(name)) {
+RegionLines::RegionLines(const MorTable& table, std::string name, bool has_battery)
+    : name_(std::move(name)), has_battery_(has_battery) {
   for (const MorRow& row : table.rows) {
     if (row.range.is_empty) continue;
     outline_ += fmt::format("{:.9g},{:.9g},{:.9g}\n", row.speed_rad_s, row.range.least.torque_Nm,
@@ -85,16 +92,19 @@ std::string RegionLines::data() const {
 }
 
 std::string RegionLines::shade(const char* colour) const {
-  return fmt::format("${}_outline using 1:2:3 with filledcurves fillcolor rgb '{}' notitle", name_,
-                     colour);
+  return fmt::format(
+      "${}_outline using 1:2:3 with filledcurves fillcolor rgb '{}' notitle 'torques that are "
+      "there'",
+      name_, colour);
 }
 
 std::vector<std::string> RegionLines::plots(double width, std::size_t dash) const {
   std::vector<std::string> plots;
   for (std::size_t i = 0; i < stretches_.size(); ++i) {
     plots.push_back(fmt::format(
-        "${}_{} using 1:2 with lines linewidth {} dashtype {} linecolor rgb '{}' notitle", name_, i,
-        width, dash, colour_of(stretches_[i].limiter)));
+        "${}_{} using 1:2 with lines linewidth {} dashtype {} linecolor rgb '{}' notitle {}", name_,
+        i, width, dash, colour_of(stretches_[i].limiter),
+        gnuplot_quoted(limited_by(stretches_[i].limiter, has_battery_))));
   }
   return plots;
 }
@@ -105,19 +115,21 @@ std::string label_key(const std::string& label, double width, std::size_t dash) 
 }
 
 std::vector<std::string> limiter_key(const std::vector<PlottedRegion>& regions) {
-  std::set<Limiter> limiters;
+  std::set<std::pair<Limiter, bool>> limiters;
   for (const PlottedRegion& region : regions) {
     for (const MorRow& row : region.table.rows) {
       if (row.range.is_empty) continue;
-      limiters.insert(row.range.least.limiter);
-      limiters.insert(row.range.greatest.limiter);
+      limiters.emplace(row.range.least.limiter, region.has_battery);
+      limiters.emplace(row.range.greatest.limiter, region.has_battery);
     }
   }
   std::vector<std::string> plots;
-  for (const Limiter limiter : limiters) {
+  std::set<std::string> named;
+  for (const auto& [limiter, has_battery] : limiters) {
+    const std::string words = limited_by(limiter, has_battery);
+    if (!named.insert(words).second) continue;
     plots.push_back(fmt::format("NaN with lines linewidth 3 linecolor rgb '{}' title {}",
-                                colour_of(limiter),
-                                gnuplot_quoted(fmt::format("limited by {}", name_of(limiter)))));
+                                colour_of(limiter), gnuplot_quoted(words)));
   }
   return plots;
 }

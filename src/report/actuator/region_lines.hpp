@@ -13,7 +13,7 @@ namespace torquewright::report {
 class RegionLines {
  public:
   /// `name` tells its data blocks from those of other regions in the script.
-  RegionLines(const actuator::MorTable& table, std::string name);
+  RegionLines(const actuator::MorTable& table, std::string name, bool has_battery = true);
 
   std::string data() const;
   std::string shade(const char* colour) const;
@@ -30,6 +30,7 @@ class RegionLines {
   void add_bound(const actuator::MorTable& table, bool is_upper);
 
   std::string name_;
+  bool has_battery_ = true;
   std::string outline_;
   std::vector<Stretch> stretches_;
 };

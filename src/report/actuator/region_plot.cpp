@@ -126,6 +126,30 @@ struct Extent {
   std::string as_ranges() const { return ranges(speed_low, speed_high, torque_low, torque_high); }
 };
 
+std::string need_words(const PlottedNeed& need) {
+  const std::string asked =
+      fmt::format("needed: {:.4g} Nm at {:.4g} rad/s", need.torque_Nm, need.speed_rad_s);
+  if (!std::isfinite(need.margin_Nm)) return asked + ", no torque is there";
+  return asked + (need.margin_Nm >= 0.0 ? fmt::format(", margin {:.4g} Nm", need.margin_Nm)
+                                        : fmt::format(", {:.4g} Nm missing", -need.margin_Nm));
+}
+
+/// The point, its words, and the way to the bound.
+std::string need_mark(const PlottedNeed& need, const Extent& extent) {
+  const char* color = need.margin_Nm >= 0.0 ? "#00795a" : "#b3261e";
+  const bool is_right = need.speed_rad_s > 0.5 * (extent.speed_low + extent.speed_high);
+  std::string script = fmt::format(
+      "set label {} at {:.9g},{:.9g} {} front point pointtype 13 pointsize 1.6 linecolor rgb '{}' "
+      "offset {},0.2 textcolor rgb '{}' font ',12'\n",
+      gnuplot_quoted(need_words(need)), need.speed_rad_s, need.torque_Nm,
+      is_right ? "right" : "left", color, is_right ? -1.8 : 1.8, color);
+  if (!std::isfinite(need.margin_Nm) || need.margin_Nm == 0.0) return script;
+  return script + fmt::format(
+                      "set arrow from {0:.9g},{1:.9g} to {0:.9g},{2:.9g} heads size screen "
+                      "0.008,25 front linewidth 1.5 linecolor rgb '{3}'\n",
+                      need.speed_rad_s, need.torque_Nm, need.bound_Nm, color);
+}
+
 void append(std::vector<std::string>& plots, std::vector<std::string> more) {
   plots.insert(plots.end(), more.begin(), more.end());
 }
@@ -166,7 +190,7 @@ std::string motion_panel(const PlottedMotion& motion, std::size_t panel) {
     const std::string data = fmt::format("$trace{}", panel);
     plots.push_back(data +
                     " using 1:2:3 with linespoints pointtype 7 pointsize 0.28 linewidth 0.8 "
-                    "linecolor palette notitle");
+                    "linecolor palette notitle 'the motion, coloured by its time'");
     if (outside > 0) {
       plots.push_back(data +
                       " using ($4 == 1 ? $1 : NaN):2 with points pointtype 6 pointsize 0.8 "
@@ -180,7 +204,8 @@ std::string motion_panel(const PlottedMotion& motion, std::size_t panel) {
 }  // namespace
 
 std::string region_plot(PlotFormat format, const std::string& title,
-                        const std::vector<PlottedRegion>& regions) {
+                        const std::vector<PlottedRegion>& regions,
+                        const std::optional<PlottedNeed>& need) {
   std::string script = gnuplot_terminal(format, kRegionWidth, kRegionHeight) + axes();
   script += "set title " + gnuplot_quoted(title) + "\n";
   script += "set key below horizontal spacing 1.3\nset bmargin 8\nset rmargin 4\n";
@@ -191,7 +216,7 @@ std::string region_plot(PlotFormat format, const std::string& title,
   std::vector<std::string> keys;
   for (std::size_t i = 0; i < regions.size(); ++i) {
     extent.include(regions[i].table);
-    const RegionLines lines(regions[i].table, fmt::format("r{}", i));
+    const RegionLines lines(regions[i].table, fmt::format("r{}", i), regions[i].has_battery);
     script += lines.data();
     if (i == 0) plots.push_back(lines.shade(kShade));
     const double width = i == 0 ? 3.0 : 1.6;
@@ -200,6 +225,10 @@ std::string region_plot(PlotFormat format, const std::string& title,
   }
   append(plots, keys);
   append(plots, limiter_key(regions));
+  if (need) {
+    extent.include(need->speed_rad_s, need->torque_Nm);
+    script += need_mark(*need, extent);
+  }
   return script + extent.as_ranges() + plot_command(plots);
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "actuator/mor/region_summary.hpp"
+#include "actuator/motor/limiter_words.hpp"
 #include "actuator/region/left_out.hpp"
 #include "src/report/parts/shell_word.hpp"
 
@@ -24,10 +25,10 @@ std::string line(const char* what, const std::string& said) {
 }
 
 /// "current to 8.31 rad/s and 320 Nm, then voltage"
-std::string limiters(const std::vector<LimitedStretch>& stretches) {
+std::string limiters(const std::vector<LimitedStretch>& stretches, bool has_battery) {
   std::string text;
   for (const LimitedStretch& one : stretches) {
-    text += (text.empty() ? "" : ", then ") + std::string(name_of(one.limiter));
+    text += (text.empty() ? "" : ", then ") + std::string(name_of(one.limiter, has_battery));
     if (&one == &stretches.back()) break;
     text +=
         fmt::format(" to {:.4g} rad/s, where {:.4g} Nm are left", one.to_rad_s, one.last_torque_Nm);
@@ -126,9 +127,10 @@ std::string region_text(const MorHeader& header, const std::string& file,
   const DrivingFigures forward = driving_figures(region);
   const std::string question = "torquewright actuator mor " + shell_word(file);
   return conditions_text(header) + figures_text(forward) +
-         line("limited by", limiters(limited_stretches(region))) + backward_text(region, forward) +
-         end_text(region, forward) + continuous_text(header) + derived_text(derived) +
-         caveats(header) + "next: " + question +
+         line("limited by",
+              limiters(limited_stretches(region), header.actuator->battery.has_value())) +
+         backward_text(region, forward) + end_text(region, forward) + continuous_text(header) +
+         derived_text(derived) + caveats(header) + "next: " + question +
          " --table; --need TORQUE@SPEED; --plot region.svg\n";
 }
 

@@ -13,6 +13,7 @@
 #include "gearbox/topologies/topology.hpp"
 #include "gearbox/train_parts.hpp"
 #include "io/text/number_text.hpp"
+#include "src/report/parts/shell_word.hpp"
 
 namespace torquewright::report {
 namespace {
@@ -23,7 +24,7 @@ constexpr double kMillimetresPerMicrometre = 1e-3;
 constexpr double kDegreesPerRadian = 57.29577951308232;
 
 std::string line(const std::string& title, const std::string& text) {
-  return fmt::format("  {:<18}{}\n", title, text);
+  return design_line(title, text);
 }
 
 std::string module_text(const Design& design) {
@@ -260,6 +261,10 @@ std::string objective_meaning(Objective objective) {
 
 }  // namespace
 
+std::string design_line(const std::string& title, const std::string& text) {
+  return fmt::format("  {:<18}{}\n", title, text);
+}
+
 std::string with_unit(double value, const std::string& unit) {
   return unit.empty() || unit == "1" ? fmt::format("{:.8g}", value)
                                      : fmt::format("{:.8g} {}", value, unit);
@@ -292,6 +297,16 @@ std::string design_screen(const Problem& problem, const DesignReport& report) {
 std::string design_text(const Problem& problem, const DesignReport& report) {
   return design_summary(problem, report) + gears_text(report) + meshes_text(problem, report) +
          constraints_text(report);
+}
+
+std::string next_text(const std::string& problem_file, const Problem& problem) {
+  std::string more = problem.steel ? "" : std::string(" --steel ") + kAssumedSteel;
+  if (problem.face_width_mm.empty()) more += " --face-width MM";
+  if (!problem.load_output_torque_Nm) more += " --torque NM";
+  return fmt::format(
+      "next: torquewright gearbox optimize {} --all; -o RESULT.json, then torquewright gearbox "
+      "strength RESULT.json{}\n",
+      shell_word(problem_file), more);
 }
 
 }  // namespace torquewright::report

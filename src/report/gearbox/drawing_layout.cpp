@@ -5,12 +5,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "gearbox/constraints/gear_cutters.hpp"
 #include "gearbox/constraints/shifted_gears.hpp"
+#include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "gearbox/train/cut_train.hpp"
 #include "src/report/parts/svg.hpp"
@@ -49,6 +51,9 @@ void require_drawing(const DrawnGearbox& drawing) {
           "drawing: profile shift outside [-100, 100]");
   require(std::abs(drawing.hollow_shaft_diameter_mm) <= kMaxLength_mm,
           "drawing: hollow shaft outside [-1e9, 1e9] mm");
+  require(std::all_of(drawing.face_width_mm.begin(), drawing.face_width_mm.end(),
+                      [](double width_mm) { return width_mm > 0.0 && width_mm <= kMaxLength_mm; }),
+          "drawing: face width outside (0, 1e9] mm");
   const double wall_mm = drawing.ring_wall_mm.value_or(0.0);
   require(wall_mm >= 0.0 && wall_mm <= kMaxLength_mm, "drawing: ring wall outside [0, 1e9] mm");
 }
@@ -134,6 +139,19 @@ void choose_scale(DrawingLayout& layout, double diameter_mm) {
   }
 }
 
+/// Widths as stated, else ten modules; one module between layers.
+void add_widths(DrawingLayout& layout) {
+  layout.face_width_mm = layout.drawing.face_width_mm;
+  layout.is_width_assumed = layout.face_width_mm.size() != layout.layers.size();
+  layout.layer_gap_mm = layout.drawing.module_mm;
+  if (!layout.is_width_assumed) return;
+  layout.face_width_mm.clear();
+  for (const DrawnLayer& layer : layout.layers) {
+    layout.face_width_mm.push_back(gearbox::kAssumedFaceModules *
+                                   layout.gears[layer.planet].module_mm);
+  }
+}
+
 double largest_diameter_mm(const DrawingLayout& layout) {
   double largest_mm = 0.0;
   for (const DrawnLayer& layer : layout.layers) {
@@ -146,6 +164,11 @@ double largest_diameter_mm(const DrawingLayout& layout) {
 }
 
 }  // namespace
+
+double axial_length_mm(const DrawingLayout& layout) {
+  const double gaps_mm = layout.layer_gap_mm * static_cast<double>(layout.layers.size() - 1);
+  return std::accumulate(layout.face_width_mm.begin(), layout.face_width_mm.end(), gaps_mm);
+}
 
 double ring_wall_mm(const DrawingLayout& layout, const DrawnGear& ring) {
   return layout.drawing.ring_wall_mm.value_or(kDefaultWall * ring.module_mm);
@@ -174,7 +197,8 @@ DrawingLayout lay_out(const DrawnGearbox& drawing) {
   }
   layout.carrier_clearance_rad = std::numbers::pi / static_cast<double>(drawing.planet_count) -
                                  std::asin(static_cast<double>(drawing.teeth[1]) / sum);
-  choose_scale(layout, largest_diameter_mm(layout));
+  add_widths(layout);
+  choose_scale(layout, std::max(largest_diameter_mm(layout), axial_length_mm(layout)));
   return layout;
 }
 

@@ -46,7 +46,10 @@ struct DrawingLayout {
   double scale = 1.0;                  ///< Paper over gearbox.
   std::string scale_text;              ///< "2:1"
   double carrier_clearance_rad = 0.0;  ///< pi/n - asin(P1/(S + P1)), half of the angle drawn.
-  bool is_coaxial = true;  ///< All meshes fit one centre distance with the shifts drawn.
+  std::vector<double> face_width_mm;   ///< Of each layer.
+  bool is_width_assumed = false;
+  double layer_gap_mm = 0.0;  ///< Between two layers: nobody states it.
+  bool is_coaxial = true;     ///< All meshes fit one centre distance with the shifts drawn.
 
   bool is_shifted() const {
     return !drawing.profile_shift.empty() || drawing.layer_2_module_mm.has_value();
@@ -55,6 +58,9 @@ struct DrawingLayout {
 
 /// Throws std::invalid_argument as gearbox_drawing() does.
 DrawingLayout lay_out(const DrawnGearbox& drawing);
+
+/// Of all layers and what is between them [mm].
+double axial_length_mm(const DrawingLayout& layout);
 
 /// Wall behind a ring's root, in mm: as stated, or one tooth height.
 double ring_wall_mm(const DrawingLayout& layout, const DrawnGear& ring);

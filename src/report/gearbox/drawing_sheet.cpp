@@ -29,6 +29,7 @@ text{font-family:sans-serif;font-size:3.2px;fill:#1b2631;stroke:#ffffff;stroke-w
 .warning{fill:#a93226;font-weight:bold}
 .paper{fill:#ffffff}
 .frame{fill:none;stroke:#1b2631;stroke-width:0.5px}
+.frame-thin{fill:none;stroke:#1b2631;stroke-width:0.13px}
 .rule{stroke:#1b2631;stroke-width:0.2px}
 .thin{fill:none;stroke:#34495e;stroke-width:0.13px}
 .arrow{fill:#34495e}
@@ -137,14 +138,19 @@ std::string warnings(const DrawingLayout& layout, const Point& place) {
 
 }  // namespace
 
-std::string sheet_opening() {
+double sheet_width_mm(const DrawingLayout& layout) {
+  return kColumnWidth_mm * static_cast<double>(layout.layers.size() + 1);
+}
+
+std::string sheet_opening(const DrawingLayout& layout) {
+  const double width_mm = sheet_width_mm(layout);
   return fmt::format(
              "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg "
              "xmlns=\"http://www.w3.org/2000/svg\" "
              "width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\">\n",
-             kSheetWidth_mm, kSheetHeight_mm) +
-         std::string(kStyle) + svg_rectangle("paper", {0, 0}, {kSheetWidth_mm, kSheetHeight_mm}) +
-         svg_rectangle("frame", {5, 5}, {kSheetWidth_mm - 10, kSheetHeight_mm - 10});
+             width_mm, kSheetHeight_mm) +
+         std::string(kStyle) + svg_rectangle("paper", {0, 0}, {width_mm, kSheetHeight_mm}) +
+         svg_rectangle("frame", {5, 5}, {width_mm - 10, kSheetHeight_mm - 10});
 }
 
 std::string legend(const DrawingLayout& layout) {

@@ -14,7 +14,7 @@
 namespace torquewright::report {
 namespace {
 
-constexpr double kBlockX_mm = 248.0;
+constexpr double kBlockToRight_mm = 172.0;  // From its left edge to the sheet's right one.
 constexpr double kBlockWidth_mm = 162.0;
 constexpr double kBlockHeight_mm = 56.0;
 constexpr std::size_t kMaxName = 56;  // Characters that find room in the title block.
@@ -104,11 +104,12 @@ std::string wall_line(const DrawingLayout& layout) {
 }  // namespace
 
 std::string title_block(const DrawingLayout& layout) {
-  const double x_mm = kBlockX_mm + 3.0;
+  const double block_x_mm = sheet_width_mm(layout) - kBlockToRight_mm;
+  const double x_mm = block_x_mm + 3.0;
   double y_mm = kTableTop_mm;
-  std::string svg = svg_rectangle("frame", {kBlockX_mm, y_mm}, {kBlockWidth_mm, kBlockHeight_mm});
+  std::string svg = svg_rectangle("frame", {block_x_mm, y_mm}, {kBlockWidth_mm, kBlockHeight_mm});
   svg += svg_text("title", {x_mm, y_mm + 8.0}, short_name(layout.drawing.name));
-  svg += svg_line("rule", {kBlockX_mm, y_mm + 12.0}, {kBlockX_mm + kBlockWidth_mm, y_mm + 12.0});
+  svg += svg_line("rule", {block_x_mm, y_mm + 12.0}, {block_x_mm + kBlockWidth_mm, y_mm + 12.0});
   std::vector<std::string> lines{
       fmt::format("{} gearbox, ratio {} (input over output)", layout.drawing.topology,
                   short_name(layout.drawing.ratio)),
@@ -122,9 +123,10 @@ std::string title_block(const DrawingLayout& layout) {
     const std::string names = fmt::format("{}", fmt::join(layout.drawing.cannot_exist, ", "));
     svg += svg_text("strong", {x_mm, y_mm += 6.0}, "CANNOT EXIST: " + short_name(names));
   }
-  const double right_mm = kBlockX_mm + kBlockWidth_mm - 66.0;
+  const double right_mm = block_x_mm + kBlockWidth_mm - 66.0;
   svg += svg_text("strong", {right_mm, kTableTop_mm + 19.0},
-                  fmt::format("scale {} (A3), lengths in mm", layout.scale_text));
+                  fmt::format("scale {} ({}), lengths in mm", layout.scale_text,
+                              layout.layers.size() == 1 ? "A3" : "A4 x 3"));
   svg += scale_bar(layout, {right_mm, kTableTop_mm + 28.0});
   return svg;
 }

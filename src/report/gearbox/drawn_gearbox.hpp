@@ -24,6 +24,7 @@ struct DrawnGearbox {
   /// Profile shift of each gear in its modules; empty: none is shifted.
   std::vector<double> profile_shift = {};
   std::optional<double> layer_2_module_mm = {};  ///< Where it is another than the sun's layer's.
+  std::vector<double> face_width_mm = {};        ///< Of each layer; empty: not stated.
   std::vector<std::string> cannot_exist = {};    ///< Names of conditions that no gearbox can miss.
 };
 

@@ -28,6 +28,12 @@ std::string proof_text(const DesignSearchResult& result) {
       result.search.points_enumerated);
 }
 
+/// Of a search that was ended.
+std::string ended_text(const DesignSearchResult& result) {
+  return result.designs.empty() ? "limit: the search was ended before it found a design"
+                                : "limit: the search was ended; what follows is the best so far";
+}
+
 std::string infeasible_text(const Problem& problem, const DesignSearchResult& result) {
   std::string text = fmt::format(
       "infeasible: no design satisfies all constraints.\nHeld fixed: {}.\n"
@@ -133,6 +139,19 @@ std::string rank_text(const Problem& problem, const DesignReport& report,
 
 }  // namespace
 
+std::string optimization_answer(const Problem& problem, const DesignSearchResult& result) {
+  if (result.status == DesignSearchStatus::kInfeasible) {
+    return "infeasible: no design satisfies all constraints.";
+  }
+  const bool is_proved = result.status == DesignSearchStatus::kOptimal;
+  if (result.designs.empty()) return ended_text(result) + ".";
+  return fmt::format("{}; {}: {}",
+                     is_proved ? "optimal: proved, nothing is better"
+                               : "limit: the search was ended before the proof",
+                     fmt::join(result.designs.front().teeth, "/"),
+                     strength_statement(problem, result.designs.front()));
+}
+
 std::string optimization_text(const Problem& problem, const DesignSearchResult& result,
                               bool has_all) {
   if (result.status == DesignSearchStatus::kInfeasible) {
@@ -140,7 +159,7 @@ std::string optimization_text(const Problem& problem, const DesignSearchResult& 
   }
   std::string text = result.status == DesignSearchStatus::kOptimal
                          ? "optimal: proved, nothing is better.\n"
-                         : "limit: the search was ended; what follows is the best so far.\n";
+                         : fmt::format("{}.\n", ended_text(result));
   text += fmt::format("Held fixed: {}.\n", held_fixed(problem));
   if (has_all) text += "Not asked: strength; what the teeth bear stands with each design.\n";
   const Topology& topology = *find_topology(problem.topology);

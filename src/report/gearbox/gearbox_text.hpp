@@ -14,6 +14,10 @@ namespace torquewright::report {
 std::string optimization_text(const gearbox::Problem& problem,
                               const gearbox::DesignSearchResult& result, bool has_all);
 
+/// The same in a line: status, and what the best design's teeth bear.
+std::string optimization_answer(const gearbox::Problem& problem,
+                                const gearbox::DesignSearchResult& result);
+
 /// What `gearbox evaluate` prints: everything about one design and where it stands.
 std::string evaluation_text(const gearbox::Problem& problem, const gearbox::DesignReport& report,
                             const gearbox::Standing& standing);

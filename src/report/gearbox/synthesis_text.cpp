@@ -6,6 +6,7 @@
 
 #include <cmath>
 
+#include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/synthesis/synthesis_spec.hpp"
 #include "src/report/gearbox/design_text.hpp"
 
@@ -17,27 +18,39 @@ using namespace gearbox;
 std::string verdict(const SynthesisResult& result) {
   switch (result.status) {
     case SynthesisStatus::kOptimal:
-      return fmt::format("optimal: proved within {:.2g} %, nothing is lighter than {:.6g} g.\n",
+      return fmt::format("optimal: proved within {:.2g} %, nothing is lighter than {:.6g} g.",
                          100.0 * (1.0 - result.bound_kg / result.best->mass_kg),
                          1e3 * result.bound_kg);
     case SynthesisStatus::kInfeasible:
-      return "infeasible: no design satisfies all constraints, whatever its shifts.\n";
+      return "infeasible: no design satisfies all constraints, whatever its shifts.";
     case SynthesisStatus::kLimit:
       break;
   }
-  if (!result.best) return "limit: the search was ended before it found a design.\n";
-  return "limit: the search was ended; what follows is the best so far.\n";
+  if (!result.best) return "limit: the search was ended before it found a design.";
+  return "limit: the search was ended; what follows is the best so far.";
 }
 
-std::string sizes_text(const Problem& problem, const SizedDesign& sized) {
-  const TorqueLimit& borne = sized.borne;
-  return fmt::format(
-      "Face widths: layer 1 {:.6g} mm, layer 2 {:.6g} mm. The teeth bear {:.6g} of {:.6g} Nm ({}); "
-      "{} of {} in {} ends it.\n",
-      sized.face_width_mm[0], sized.face_width_mm[1], borne.joint_Nm,
-      io::nearest(*problem.load_output_torque_Nm), *problem.steel,
-      borne.mode == FailureMode::kBending ? "bending at the root" : "pressure on the flank",
-      borne.gear, borne.mesh);
+std::string widths_line(const SizedDesign& sized) {
+  return design_line("face widths", fmt::format("layer 1 {:.6g} mm, layer 2 {:.6g} mm",
+                                                sized.face_width_mm[0], sized.face_width_mm[1]));
+}
+
+std::string design_of(const SizedDesign& sized, bool has_all) {
+  const std::string widths = widths_line(sized);
+  if (!has_all) return "1. " + design_screen(sized.problem, sized.report) + widths;
+  return "1. " + design_text(sized.problem, sized.report) + widths +
+         strength_line(sized.problem, sized.report);
+}
+
+std::string not_asked_text(bool has_all) {
+  if (!has_all) {
+    return "Not asked: rims, uneven load on wide teeth, carrier, bearings and shafts.\n";
+  }
+  std::string text;
+  for (const std::string& sentence : not_asked_by_synthesis()) {
+    text += "Not asked: " + sentence + "\n";
+  }
+  return text;
 }
 
 std::string search_text(const SynthesisResult& result) {
@@ -54,24 +67,25 @@ std::string search_text(const SynthesisResult& result) {
 
 }  // namespace
 
-std::string synthesis_text(const Problem& problem, const SynthesisResult& result) {
-  std::string text = verdict(result);
+std::string synthesis_answer(const SynthesisResult& result) {
+  if (!result.best) return verdict(result);
+  return fmt::format("{} Strength: {}", verdict(result),
+                     strength_statement(result.best->problem, result.best->design));
+}
+
+std::string synthesis_text(const Problem& problem, const SynthesisResult& result, bool has_all) {
+  std::string text = verdict(result) + "\n";
   text += fmt::format("Held fixed: {}.\n", held_fixed_by_synthesis(problem));
-  if (result.best) {
-    for (const std::string& sentence : not_asked_by_synthesis()) {
-      text += "Not asked: " + sentence + "\n";
-    }
-    text += "1. " + design_text(result.best->problem, result.best->report);
-    text += sizes_text(problem, *result.best);
-  }
-  if (std::isfinite(result.bound_kg) && result.bound_kg > 0.0) {
+  if (result.best) text += not_asked_text(has_all) + design_of(*result.best, has_all);
+  const bool is_open = result.status == SynthesisStatus::kLimit;
+  if ((has_all || is_open) && std::isfinite(result.bound_kg) && result.bound_kg > 0.0) {
     text += fmt::format("Bound that nothing beats: {:.8g}\n", result.bound_kg);
   }
   if (!problem.assumed.empty()) {
     text += fmt::format("Assumed, neither published nor measured: {}.\n",
                         fmt::join(problem.assumed, ", "));
   }
-  return text + search_text(result);
+  return text + (has_all || !result.best ? search_text(result) : "");
 }
 
 }  // namespace torquewright::report

@@ -118,12 +118,12 @@ std::string panel_script(const Panel& panel, std::size_t index, const std::strin
                   gnuplot_quoted(axis_title(*panel.before)), gnuplot_quoted("residual, " + unit));
   script += fmt::format(
       "plot ${} using 1:2 with linespoints pointtype 7 pointsize 0.45 linewidth 1.6 linecolor rgb "
-      "'{}' notitle",
+      "'{}' notitle 'residual before'",
       before, kBefore);
   if (panel.after != nullptr) {
     script += fmt::format(
         ", ${} using 1:2 with linespoints pointtype 7 pointsize 0.45 linewidth 1.6 linecolor rgb "
-        "'{}' notitle",
+        "'{}' notitle 'residual after'",
         after, kAfter);
   }
   return script + "\n";
@@ -157,8 +157,8 @@ std::string strip_script(const RunResult& run, const EquationResult& equation, s
   for (const Drawn& each : all) {
     const std::string block = fmt::format("{}{}", each.name, index);
     script += curve_block(block, each.curve, begin_s);
-    curves += fmt::format("{}${} using 1:2 with lines linewidth {} linecolor rgb '{}' notitle",
-                          curves.empty() ? "" : ", ", block, each.width, each.color);
+    curves += fmt::format("{}${} using 1:2 with lines linewidth {} linecolor rgb '{}' notitle '{}'",
+                          curves.empty() ? "" : ", ", block, each.width, each.color, each.name);
   }
   const std::string errors = is_refined
                                  ? fmt::format("{:.3g} → {:.3g}", run.rms_before, run.rms_after)

@@ -175,11 +175,15 @@ std::string joint_errors_plot(const SimulatedErrors& errors) {
   for (std::size_t joint = 0; joint < strips; ++joint) {
     script += curve_data(fmt::format("before{}", joint), before->error_rad[joint]);
     std::string curves = fmt::format(
-        "$before{} using 1:2 with lines linewidth 1.3 linecolor rgb '#d55e00' notitle", joint);
+        "$before{} using 1:2 with lines linewidth 1.3 linecolor rgb '#d55e00' notitle 'error "
+        "before'",
+        joint);
     if (after != nullptr && joint < after->error_rad.size()) {
       script += curve_data(fmt::format("after{}", joint), after->error_rad[joint]);
       curves += fmt::format(
-          ", $after{} using 1:2 with lines linewidth 1.3 linecolor rgb '#0072b2' notitle", joint);
+          ", $after{} using 1:2 with lines linewidth 1.3 linecolor rgb '#0072b2' notitle 'error "
+          "after'",
+          joint);
     }
     script += fmt::format("set title {}\nplot {}\n",
                           gnuplot_quoted(errors.joints[joint] + ", mrad over s"), curves);

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <utility>
 
+#include "io/text/force_text.hpp"
 #include "src/report/parts/page_parts.hpp"
 #include "src/report/robot/hopper_charts.hpp"
 #include "src/report/robot/time_charts.hpp"
@@ -90,7 +91,7 @@ std::string ground_chart(const ReplayPage& page, const ShownRun& run) {
     chart.curve(style, time_s(kept), shown_N(kept));
   }
   if (peak_N > cut_N) {
-    chart.label("note", time_s[worst], 0.9 * cut_N, fmt::format("up to {:.4g} N", up_N[worst]));
+    chart.label("note", time_s[worst], 0.9 * cut_N, "up to " + io::force_text(up_N[worst], 4));
   }
   draw_cursor(chart, {"ground_up_N", "ground_forward_N"}, "");
   return panel_of(

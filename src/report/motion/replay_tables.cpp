@@ -6,6 +6,7 @@
 
 #include <numbers>
 
+#include "io/text/force_text.hpp"
 #include "src/report/motion/replay_words.hpp"
 #include "src/report/parts/page_parts.hpp"
 
@@ -79,7 +80,7 @@ std::string sweep_table(const ReplayPage& page) {
     }
     if (step.result.touch_down_load) {
       row[4] = fmt::format("{:.4g} N s", step.result.touch_down_load->impulse_N_s.norm());
-      row[5] = fmt::format("{:.4g} N", step.result.touch_down_load->peak_force_N);
+      row[5] = io::force_text(step.result.touch_down_load->peak_force_N, 4);
     }
     std::vector<std::string> gears;
     for (const hopper::TransmissionLoad& load : step.result.transmission_loads) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "io/text/force_text.hpp"
 #include "io/text/shown_number.hpp"
 
 namespace torquewright::report {
@@ -70,10 +71,9 @@ std::string ground_words(const TouchDownLoad& load) {
     return io::shown(one, size, kDigits);
   };
   return fmt::format(
-      "the ground gives ({:.3g}, {:.3g}, {:.3g}) N s in {:g} ms, {:.4g} N at most (mean of {:g} "
-      "ms)",
+      "the ground gives ({:.3g}, {:.3g}, {:.3g}) N s in {:g} ms, {} at most (mean of {:g} ms)",
       part(load.impulse_N_s.x()), part(load.impulse_N_s.y()), part(load.impulse_N_s.z()),
-      1e3 * load.window_s, load.peak_force_N, 1e3 * load.force_window_s);
+      1e3 * load.window_s, io::force_text(load.peak_force_N, 4), 1e3 * load.force_window_s);
 }
 
 std::string end_words(const Motion& motion, const ReplayOutcome& outcome) {

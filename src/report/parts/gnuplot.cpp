@@ -22,6 +22,8 @@
 #include "io/faults/refusal.hpp"
 #include "io/faults/spec_error.hpp"
 #include "io/files/atomic_file.hpp"
+#include "src/report/parts/dark_colours.hpp"
+#include "src/report/parts/plot_words.hpp"
 
 extern char** environ;  // NOLINT: the name is POSIX's.
 
@@ -218,7 +220,8 @@ std::string picture_by_gnuplot(const std::string& script, const std::string& opt
     io::refuse(option, fmt::format("gnuplot, which draws the picture, {}: {}",
                                    ending.empty() ? "drew half of it" : ending, words.read()));
   }
-  return picture;
+  const bool is_png = picture.starts_with("\x89PNG");
+  return is_png ? picture : with_dark_colours(with_plot_words(picture, script));
 }
 
 void require_gnuplot(const std::string& option) {

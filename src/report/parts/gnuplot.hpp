@@ -23,8 +23,9 @@ std::string gnuplot_terminal(PlotFormat format, int width, int height);
 std::string gnuplot_palette();
 
 /// Gives the script to gnuplot (found in PATH, started without a shell, script and data through its
-/// stdin); what it draws. Throws io::SpecError for `option` if gnuplot is not installed;
-/// std::runtime_error with its words if it fails.
+/// stdin); what it draws, as an SVG with the script's words as titles and colours for dark screens
+/// (plot_words.hpp, dark_colours.hpp). Throws io::SpecError for `option` if gnuplot is not
+/// installed; std::runtime_error with its words if it fails.
 std::string picture_by_gnuplot(const std::string& script, const std::string& option = "--plot");
 
 /// Throws io::SpecError for `option` if gnuplot is not installed: for before the work.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "src/report/parts/dark_colours.hpp"
 #include "src/report/parts/gnuplot.hpp"
 #include "src/report/parts/svg.hpp"
 
@@ -33,7 +34,7 @@ table{border-collapse:collapse;width:100%;font-size:14px}th{text-align:left;colo
 td{border-bottom:1px solid var(--line);padding:6px 14px 6px 0;vertical-align:top}td.number{white-space:nowrap;font-variant-numeric:tabular-nums}
 svg{max-width:100%;height:auto;display:block;margin:6px 0}pre{background:var(--shade);padding:12px 14px;border-radius:6px;overflow-x:auto}
 .key{display:inline-block;width:12px;height:12px;border-radius:2px;vertical-align:-1px;margin:0 4px 0 12px}ul{margin:6px 0;padding-left:20px}
-.drawn{overflow-x:auto}.drawn svg{background:#fff;border-radius:4px}
+.drawn{overflow-x:auto}.drawn svg{border-radius:4px}
 @media (prefers-color-scheme:dark){:root{--ink:#dde3ea;--soft:#a3afbb;--line:#39424c;--paper:#1b2027;--shade:#12161b;--good:#0a8f6c;--part:#a8690f;--bad:#e0635a;--open:#5d6b80;--link:#7fb2ff;--region:#233041;--flight:#1f3348;--violated:#70312c}}
 @media (max-width:640px){main{padding:10px 8px 40px}section{padding:14px 12px}table{display:block;overflow-x:auto}.drawn svg{min-width:640px}}
 @media print{body{background:#fff}section{break-inside:avoid}}
@@ -52,6 +53,7 @@ std::string inline_svg(std::string svg, const std::string& prefix) {
   for (const char* use : {"id='", "id=\"", "url(#", "href='#", "href=\"#"}) {
     replace_all(svg, use, use + prefix);
   }
+  replace_all(svg, fmt::format("#{} [", kCanvas), fmt::format("#{}{} [", prefix, kCanvas));
   return svg;
 }
 

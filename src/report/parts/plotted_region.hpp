@@ -11,6 +11,7 @@ namespace torquewright::report {
 struct PlottedRegion {
   std::string label;
   actuator::MorTable table;
+  bool has_battery = true;  ///< Else what limits the power is the supply's current.
 };
 
 }  // namespace torquewright::report

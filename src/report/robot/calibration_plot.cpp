@@ -52,8 +52,9 @@ std::string valley_panel(const CalibrationReport& report, std::size_t index) {
                       free.lowest, free.highest, top, gnuplot_quoted(free.words));
   text += fmt::format(
       "plot $p{} using 1:2 with linespoints pointtype 7 pointsize 0.4 linewidth 2 "
-      "linecolor rgb '{}' notitle, {:.9g} with lines dashtype 3 linecolor rgb "
-      "'#888888' notitle\n",
+      "linecolor rgb '{}' notitle 'error of the figures', {:.9g} with lines dashtype 3 linecolor "
+      "rgb "
+      "'#888888' notitle 'their tolerance'\n",
       index, kProfileColor, 100.0 * report.question.figures.tolerance);
   return text;
 }

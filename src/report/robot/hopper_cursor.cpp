@@ -75,8 +75,8 @@ std::string hopper_values(const ChartSource& source) {
   }
   quantities.insert(quantities.end(), {{"ground_up_N", "ground pushes up, N"},
                                        {"ground_forward_N", "ground pushes forward, N"},
-                                       {"cam_Nm_s", "CAM, Nm s"},
-                                       {"cav_rad_s", "CAV, rad/s"}});
+                                       {"cam_Nm_s", "angular momentum (CAM), Nm s"},
+                                       {"cav_rad_s", "mean angular velocity (CAV), rad/s"}});
   return cursor_values(source.series, table, quantities);
 }
 

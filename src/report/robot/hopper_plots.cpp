@@ -40,9 +40,9 @@ std::vector<PlotPanel> panels_of(const HopperReport& report, const hopper::Serie
                    {"up", [sum](Eigen::Index sample) { return sum(2, sample); }}}};
   PlotPanel turning{
       "Nm s, rad/s",
-      {{"CAM",
+      {{"angular momentum (CAM)",
         [&demand](Eigen::Index sample) { return demand.angular_momentum_Nm_s.col(sample).norm(); }},
-       {"CAV", [&demand](Eigen::Index sample) {
+       {"its angular velocity (CAV)", [&demand](Eigen::Index sample) {
           return demand.angular_velocity_rad_s.col(sample).norm();
         }}}};
   std::vector<PlotPanel> panels;

@@ -24,8 +24,10 @@ std::string momentum_plot(PlotFormat format, const HopperPage& page) {
     marks.push_back({flight.until_s, "touch-down"});
   }
   return panels_plot(format, page.motion,
-                     {panel_of("Nm s", "CAM", demand.angular_momentum_Nm_s, kLateral),
-                      panel_of("rad/s", "CAV", demand.angular_velocity_rad_s, kLateral),
+                     {panel_of("Nm s", "CAM, angular momentum about the centre of mass",
+                               demand.angular_momentum_Nm_s, kLateral),
+                      panel_of("rad/s", "CAV, the mean angular velocity that goes with it",
+                               demand.angular_velocity_rad_s, kLateral),
                       panel_of("kg m^2", "composite inertia", demand.lateral_inertia_kg_m2, 0)},
                      marks);
 }

@@ -18,74 +18,8 @@ using Eigen::Index;
 using Eigen::Vector2d;
 
 constexpr int kMoments = 12;
-constexpr double kLegendHeight = 26;
 constexpr double kLongWay = 3.0;      // width over height of a motion whose view goes along
 constexpr double kArrowShare = 0.45;  // of the height: the greatest force
-
-struct Drawn {
-  std::vector<Moment> moments;
-  std::vector<Pose> poses;
-};
-
-Drawn drawn_moments(const HopperPage& page, const Skeleton& skeleton) {
-  Drawn drawn{moments_of(page.motion, page.report.flights, kMoments), {}};
-  std::vector<Index> samples;
-  for (const Moment& moment : drawn.moments) samples.push_back(moment.sample);
-  drawn.poses = poses_at(page.robot, page.motion, skeleton, samples);
-  return drawn;
-}
-
-std::string line_of(const Skeleton::Bone& bone, const Pose& pose, const std::string& attributes) {
-  const Vector2d& from = pose.points[bone.from];
-  const Vector2d& to = pose.points[bone.to];
-  return fmt::format("<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\"{}/>\n", decimal(from.x(), 1),
-                     decimal(from.y(), 1), decimal(to.x(), 1), decimal(to.y(), 1), attributes);
-}
-
-// The document.
-
-/// From blue to orange over the motion.
-std::string colour(double share) {
-  const auto mix = [share](int from, int to) {
-    return static_cast<int>(std::lround(from + share * (to - from)));
-  };
-  return fmt::format("#{:02x}{:02x}{:02x}", mix(0x1f, 0xd9), mix(0x5f, 0x6b), mix(0xa8, 0x0f));
-}
-
-/// Room between neighbours, so that they do not hide one another.
-double spread_m(const std::vector<Pose>& poses) {
-  double widest_m = 0.0;
-  for (const Pose& pose : poses) {
-    const auto [least, most] = std::minmax_element(
-        pose.points.begin(), pose.points.end(),
-        [](const Vector2d& one, const Vector2d& other) { return one.x() < other.x(); });
-    widest_m = std::max(widest_m, most->x() - least->x());
-  }
-  return 0.7 * widest_m;
-}
-
-std::string document_figure(const Skeleton& skeleton, const Pose& pose, const Moment& moment,
-                            double share, double bottom) {
-  std::string text =
-      fmt::format("<g stroke=\"{}\" stroke-width=\"3\" stroke-linecap=\"round\">\n", colour(share));
-  for (const Skeleton::Bone& bone : skeleton.bones) text += line_of(bone, pose, "");
-  const std::string x = decimal(pose.center_of_mass_m.x(), 1);
-  return text + fmt::format(
-                    "</g>\n<circle cx=\"{0}\" cy=\"{1}\" r=\"4\" fill=\"{2}\"/>\n<text x=\"{0}\" "
-                    "y=\"{3}\" text-anchor=\"middle\" fill=\"#49566b\">{4} s{5}</text>\n",
-                    x, decimal(pose.center_of_mass_m.y(), 1), colour(share), decimal(bottom, 1),
-                    decimal(pose.time_s, 2), moment.is_in_flight ? " *" : "");
-}
-
-std::string document_legend(double y) {
-  return fmt::format(
-      "<g fill=\"#49566b\"><circle cx=\"20\" cy=\"{1}\" r=\"4\" fill=\"{2}\"/><text x=\"30\" "
-      "y=\"{0}\">centre of mass</text><text x=\"150\" y=\"{0}\">colour: from the begin (blue) to "
-      "the end (orange)</text><text x=\"490\" y=\"{0}\">* in flight</text></g>\n",
-      decimal(y, 1), decimal(y - 4, 1), colour(0.0));
-}
-
-// On the page.
 
 std::set<std::size_t> bad_bodies(const std::vector<ShownViolation>& violations, double time_s) {
   std::set<std::size_t> bodies;
@@ -98,11 +32,11 @@ std::set<std::size_t> bad_bodies(const std::vector<ShownViolation>& violations, 
 std::string bones_of(const Skeleton& skeleton, const Pose& pose, const std::set<std::size_t>& bad) {
   std::string text;
   for (const Skeleton::Bone& bone : skeleton.bones) {
-    text +=
-        line_of(bone, pose,
-                fmt::format(" class=\"bone{}\" data-body=\"{}\" data-from=\"{}\" "
-                            "data-to=\"{}\"",
-                            bad.contains(bone.body) ? " bad" : "", bone.body, bone.from, bone.to));
+    text += bone_line(
+        bone, pose,
+        fmt::format(" class=\"bone{}\" data-body=\"{}\" data-from=\"{}\" "
+                    "data-to=\"{}\"",
+                    bad.contains(bone.body) ? " bad" : "", bone.body, bone.from, bone.to));
   }
   return text;
 }
@@ -112,9 +46,9 @@ std::string planned_bones(const Skeleton& skeleton, const Pose& pose) {
   const std::size_t points = skeleton.points.size();
   std::string text;
   for (const Skeleton::Bone& bone : skeleton.bones) {
-    text += line_of(bone, pose,
-                    fmt::format(" class=\"bone planned\" data-from=\"{}\" data-to=\"{}\"",
-                                points + bone.from, points + bone.to));
+    text += bone_line(bone, pose,
+                      fmt::format(" class=\"bone planned\" data-from=\"{}\" data-to=\"{}\"",
+                                  points + bone.from, points + bone.to));
   }
   return text;
 }
@@ -145,36 +79,22 @@ std::string still(const Skeleton& skeleton, const Pose& pose, const Moment& mome
 
 }  // namespace
 
-std::string stick_figures(const HopperPage& page) {
-  if (!page.motion.has_base) return "";
-  const Skeleton skeleton = skeleton_of(page.robot);
-  const auto [moments, poses] = drawn_moments(page, skeleton);
-  const FigureView view(
-      poses, {page.options.contact.ground_height_m, spread_m(poses), false, 1400, 420, 40});
-  const double height = view.height() + kLegendHeight;
-  std::string text = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" width=\"{0}\" "
-      "height=\"{1}\" font-family=\"DejaVu Sans,sans-serif\" font-size=\"12\">\n"
-      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n"
-      "<line x1=\"0\" y1=\"{2}\" x2=\"{0}\" y2=\"{2}\" stroke=\"#7a8692\" stroke-width=\"1.5\"/>\n",
-      decimal(view.width(), 1), decimal(height, 1), decimal(view.ground(), 1));
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    const double share =
-        (poses[i].time_s - page.motion.times_s.front()) / std::max(page.motion.duration_s(), 1e-9);
-    text += document_figure(skeleton, view.on_paper(poses[i], i), moments[i], share,
-                            view.height() - 12);
-  }
-  return text + document_legend(height - 12) + "</svg>\n";
+DrawnMoments drawn_moments(const HopperPage& page, const Skeleton& skeleton) {
+  DrawnMoments drawn{moments_of(page.motion, page.report.flights, kMoments), {}};
+  std::vector<Index> samples;
+  for (const Moment& moment : drawn.moments) samples.push_back(moment.sample);
+  drawn.poses = poses_at(page.robot, page.motion, skeleton, samples);
+  return drawn;
 }
 
 std::string still_figures(const HopperPage& page, const std::vector<ShownViolation>& violations) {
   if (!page.motion.has_base) return "";
   const Skeleton skeleton = skeleton_of(page.robot);
   const auto [moments, poses] = drawn_moments(page, skeleton);
-  const FigureView view(poses, {page.options.contact.ground_height_m, 0.0, true, 220, 220, 8});
+  const FigureView view(poses, {page.options.contact.ground_height_m, true, 220, 220, 8});
   std::string text = "<div class=\"moments\">\n";
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    text += still(skeleton, view.on_paper(poses[i], i), moments[i], view,
+    text += still(skeleton, view.on_paper(poses[i]), moments[i], view,
                   bad_bodies(violations, poses[i].time_s));
   }
   return text + "</div>\n";
@@ -202,9 +122,9 @@ MovingFigure moving_figure(const MovedPoses& moved) {
       all[moved.poses.size() + i].center_of_mass_m = moved.poses[i].center_of_mass_m;
     }
   }
-  const FigureView view(all, {moved.ground_m, 0.0, figure.follows, 640, 400, 26});
+  const FigureView view(all, {moved.ground_m, figure.follows, 640, 400, 26});
   for (std::size_t i = 0; i < all.size(); ++i) {
-    (i < moved.poses.size() ? figure.poses : figure.planned).push_back(view.on_paper(all[i], 0));
+    (i < moved.poses.size() ? figure.poses : figure.planned).push_back(view.on_paper(all[i]));
   }
   figure.width = view.width();
   figure.height = view.height();

@@ -6,17 +6,22 @@
 
 #include "src/report/parts/skeleton.hpp"
 #include "src/report/robot/hopper_page.hpp"
+#include "src/report/robot/moments.hpp"
 #include "src/report/robot/shown_violations.hpp"
 #include "src/report/turning/force_scale.hpp"
 
 namespace torquewright::report {
 
-/// The robot seen from the side (x to the right, z up) at moments of its motion, half of them in
-/// flight, and what dots and colours mean: an SVG document. Empty where the base's motion is not
-/// known.
-std::string stick_figures(const HopperPage& page);
+/// What pictures show of a motion: moments, half of them in flight, and the poses there.
+struct DrawnMoments {
+  std::vector<Moment> moments;
+  std::vector<Pose> poses;  ///< In metres.
+};
+/// Requires that the motion says how the base moves.
+DrawnMoments drawn_moments(const HopperPage& page, const Skeleton& skeleton);
 
-/// The same as pictures of a page, one a moment, what violates something in red.
+/// The robot seen from the side (x to the right, z up) at moments of its motion as pictures of a
+/// page, one a moment, what violates something in red. Empty where the base's motion is not known.
 std::string still_figures(const HopperPage& page, const std::vector<ShownViolation>& violations);
 
 /// The robot's poses on the paper of the figure that the page's cursor moves.

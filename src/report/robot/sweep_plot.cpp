@@ -125,7 +125,7 @@ std::string chart(const Swept& swept) {
     text += fmt::format("{:.9g} {}\n", point.values[0], number(shown(point)));
   }
   return text + "END\nplot $line using 1:2 with lines linewidth 2 linecolor rgb '" + kLine +
-         "' notitle" + mark_plots(swept) + "\n";
+         "' notitle 'the answers'" + mark_plots(swept) + "\n";
 }
 
 /// Where the cells of values begin and end: half way to the neighbours.
@@ -167,7 +167,8 @@ std::string map(const Swept& swept) {
       x.back(), y.front(), y.back(), gnuplot_palette());
   text += present_line(swept.axes[0], true) + present_line(swept.axes[1], false);
   return text + cell_data(swept, x, y) +
-         "plot $cells using 1:2:3:4:5:6:7 with boxxyerror linecolor palette notitle" +
+         "plot $cells using 1:2:3:4:5:6:7 with boxxyerror linecolor palette notitle 'the "
+         "answers' " +
          mark_plots(swept) + "\n";
 }
 

@@ -86,9 +86,8 @@ std::string workspace_plot(PlotFormat format, const std::string& title,
   for (const std::string& word : words_in_picture(workspace))
     add(word, kColors[block % kColors.size()]);
   return script + block_of_ranges(workspace) + plots +
-         ", \\\n  $ranges using 1:2 with lines linewidth 2 linecolor rgb 'black' title 'the "
-         "joints'' "
-         "ranges'\n";
+         ", \\\n  $ranges using 1:2 with lines linewidth 2 linecolor rgb 'black' title 'ranges of "
+         "the joints'\n";
 }
 
 std::string workspace_text(const hopper::Workspace& workspace) {

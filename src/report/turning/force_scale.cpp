@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/text/force_text.hpp"
+
 namespace torquewright::report {
 namespace {
 
@@ -20,9 +22,7 @@ double ForceScale::share(double force_N) const {
 std::string ForceScale::words() const {
   if (!(greatest_N > 0.0)) return "force of the ground";
   return fmt::format(
-      "force of the ground: the longest arrow is {}, {}",
-      greatest_N < 1000.0 ? fmt::format("{:.3g} N", greatest_N)
-                          : fmt::format("{:.3g} kN", greatest_N / 1000.0),
+      "force of the ground: the longest arrow is {}, {}", io::force_text(greatest_N, 3),
       is_root ? "a force of a quarter has half its length" : "the others in proportion");
 }
 

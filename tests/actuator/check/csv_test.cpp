@@ -51,6 +51,14 @@ INSTANTIATE_TEST_SUITE_P(
                     Accepted{"no final newline", "a,b\n1,-2.5\n3,4e3"},
                     Accepted{"quotes", "\"a\",\"b\"\n\"1\",-2.5\n3,\"4e3\"\n"},
                     Accepted{"blanks", " a , b\n 1 ,\t-2.5\n+3 , 4.0E+3 \n"},
+                    Accepted{"comments between rows", "a,b\n# begins\n1,-2.5\n# x\n3,4e3\n# end\n"},
+                    Accepted{"blanks alone", "a  b\n  1 \t -2.5\n3 4e3 \n"},
+                    Accepted{"names in a comment", "# by hand\n# a,b\n1,-2.5\n3,4e3\n"},
+                    Accepted{"as NumPy saves it",
+                             "# a b\n1.000e+00 -2.500e+00\n3.000e+00 4.000e+03\n"},
+                    Accepted{"exponents as Fortran writes them", "a,b\n1D0,-2.5d+00\n3,4D3\n"},
+                    Accepted{"a separator at each end", "a,b,\n1,-2.5,\n3,4e3, \n"},
+                    Accepted{"a separator at the end of rows", "a;b\n1;-2,5;\n3;4e3;\n"},
                     Accepted{"comments", "# side: joint\n# x\na,b\n1,-2.5\n3,4e3\n"},
                     Accepted{"empty lines at the end", "a,b\n1,-2.5\n3,4e3\n\n\r\n  \n"}));
 
@@ -147,8 +155,16 @@ INSTANTIATE_TEST_SUITE_P(
                      "one table has one separator"},
         MistakenText{"a;b\n1.234,5;2\n", "line 2, column 1 (a): \"1.234,5\" is not a number"},
         MistakenText{"a,b\n1;2\n",
-                     "line 2: has 1 cells, the header has 2; separated otherwise than the header? "
-                     "one table has one separator"},
+                     "line 1: the header has 2 names between commas, the line behind it has 2 "
+                     "between semicolons; one table has one separator, commas, semicolons, tabs or "
+                     "blanks"},
+        MistakenText{"a b c\n1,2,3\n",
+                     "line 1: the header has one name, the line behind it has 3 between commas; "
+                     "one table has one separator, commas, semicolons, tabs or blanks"},
+        MistakenText{"a|b\n1|2\n",
+                     "line 1: the header has one name, the line behind it has 2 between upright "
+                     "lines; one table has one separator, commas, semicolons, tabs or blanks"},
+        MistakenText{"a b\n1 2\n3\n", "line 3: has 1 cells, the header has 2"},
         MistakenText{"a,b\n[s],[m]\n1,2\n",
                      "line 2: is a row of units, and units are stated elsewhere here; delete the "
                      "line"},
