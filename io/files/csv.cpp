@@ -107,14 +107,21 @@ std::size_t words_in(std::string_view line) {
   return count;
 }
 
-/// A row of numbers between blanks, or one of them.
-bool is_numbers_between_blanks(std::string_view line) {
+std::vector<std::string_view> cells_between_blanks(std::string_view line) {
+  std::vector<std::string_view> cells;
   for (line = trimmed(line); !line.empty();) {
     const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
-    if (!number_of(line.substr(0, end))) return false;
+    cells.push_back(line.substr(0, end));
     line = trimmed(line.substr(end));
   }
-  return true;
+  return cells;
+}
+
+/// A row of numbers between blanks, or one of them.
+bool is_numbers_between_blanks(std::string_view line) {
+  const std::vector<std::string_view> cells = cells_between_blanks(line);
+  return std::all_of(cells.begin(), cells.end(),
+                     [](std::string_view cell) { return number_of(cell).has_value(); });
 }
 
 /// The names that a comment before a table of numbers holds, as NumPy writes them; empty: the
@@ -150,6 +157,45 @@ char separator_stated_by(std::string_view line) {
   return is_one ? text[4] : '\0';
 }
 
+/// Comments may stand between rows too, as a recorder writes what it was told.
+bool next_behind_comments(LineReader& lines, std::string_view& line) {
+  while (lines.next(line)) {
+    if (!line.starts_with('#')) return true;
+  }
+  return false;
+}
+
+struct Separator {
+  char letter;
+  const char* name;
+};
+constexpr Separator kSeparators[] = {
+    {',', "commas"}, {';', "semicolons"}, {'\t', "tabs"}, {'|', "upright lines"}};
+
+std::string names_between(std::size_t count, char separator) {
+  if (count == 1) return "one name";
+  for (const Separator& one : kSeparators) {
+    if (one.letter == separator) return fmt::format("{} names between {}", count, one.name);
+  }
+  return fmt::format("{} names", count);
+}
+
+/// What is wrong with a header whose rows have another separator, so that it names columns that
+/// nobody has; empty: nothing.
+std::string other_separator(std::size_t names, char separator, std::string_view behind) {
+  if (separator == ' ' || count_outside_quotes(behind, separator) > 0) return "";
+  for (const Separator& other : kSeparators) {
+    const std::size_t count = count_outside_quotes(behind, other.letter);
+    const bool may_be_decimal = other.letter == ',' && count == 1 && names == 1;
+    if (other.letter == separator || count == 0 || may_be_decimal) continue;
+    return fmt::format(
+        "the header has {}, the line behind it has {} between {}; one table has one separator, "
+        "commas, semicolons, tabs or blanks",
+        names_between(names, separator), count + 1, other.name);
+  }
+  return "";
+}
+
 std::string in_quotes(std::string_view text) {
   if (text.size() <= kLongestCell) return fmt::format("\"{}\"", text);
   return fmt::format("\"{}...\"", text.substr(0, kLongestCell));
@@ -170,20 +216,16 @@ CsvReader::CsvReader(const std::filesystem::path& file, CutEnd cut_end, UnitsRow
   check_encoding(line);
   std::string header = names_in_comment(comments_, line);
   if (!header.empty()) read_ahead_.emplace(line);
-  take_header(header.empty() ? std::string(line) : std::move(header));
-  look_behind_header(units_row);
-}
-
-/// Reads on to the line behind it, by which blanks are known to separate.
-void CsvReader::take_header(std::string line) {
-  std::string_view behind;
-  if (!read_ahead_ && next_behind_comments(behind)) read_ahead_.emplace(behind);
-  find_separator(line);
-  split(line);
+  if (header.empty()) header = line;
+  std::string_view behind;  // By it blanks are known to separate.
+  if (!read_ahead_ && next_behind_comments(lines_, behind)) read_ahead_.emplace(behind);
+  find_separator(header);
+  split(header);
   header_.assign(cells_.begin(), cells_.end());
   const bool ends = read_ahead_ && ends_with_separator(*read_ahead_, separator_);
   if (header_.size() > 1 && header_.back().empty() && ends) header_.pop_back();
   check_header();
+  if (read_ahead_ && !trimmed(*read_ahead_).empty()) take_units(units_row);
 }
 
 void CsvReader::find_separator(std::string_view header) {
@@ -200,43 +242,11 @@ void CsvReader::find_separator(std::string_view header) {
   }
 }
 
-void CsvReader::look_behind_header(UnitsRow units_row) {
-  if (!read_ahead_ || trimmed(*read_ahead_).empty()) return;
-  refuse_other_separator();
-  take_units(units_row);
-}
-
-/// A header of one name before rows of several cells, or the other way round, names columns that
-/// nobody has.
-void CsvReader::refuse_other_separator() const {
-  struct Separator {
-    char letter;
-    const char* name;
-  };
-  constexpr Separator kSeparators[] = {
-      {',', "commas"}, {';', "semicolons"}, {'\t', "tabs"}, {'|', "upright lines"}};
-  if (separator_ == ' ' || count_outside_quotes(*read_ahead_, separator_) > 0) return;
-  for (const Separator& other : kSeparators) {
-    if (other.letter == separator_) continue;
-    const std::size_t count = count_outside_quotes(*read_ahead_, other.letter);
-    const bool may_be_decimal = other.letter == ',' && count == 1 && header_.size() == 1;
-    if (count == 0 || may_be_decimal) continue;
-    const bool is_one = header_.size() == 1;
-    refuse_row(fmt::format(
-        "the header has {}, the line behind it has {} between {}; one table has one separator, "
-        "commas, semicolons, tabs or blanks",
-        is_one ? "one name"
-               : fmt::format("{} names between {}", header_.size(),
-                             separator_ == ','   ? "commas"
-                             : separator_ == ';' ? "semicolons"
-                                                 : "tabs"),
-        count + 1, other.name));
-  }
-}
-
 /// The line behind the header is one of units if no cell is a number and half of them or more are
 /// units.
 void CsvReader::take_units(UnitsRow units_row) {
+  const std::string fault = other_separator(header_.size(), separator_, *read_ahead_);
+  if (!fault.empty()) refuse_row(fault);
   line_ = lines_.line_number();
   split(*read_ahead_);
   std::size_t known = 0;
@@ -254,16 +264,8 @@ void CsvReader::take_units(UnitsRow units_row) {
   read_ahead_.reset();
 }
 
-/// Comments may stand between rows too, as a recorder writes what it was told.
-bool CsvReader::next_behind_comments(std::string_view& line) {
-  while (lines_.next(line)) {
-    if (!line.starts_with('#')) return true;
-  }
-  return false;
-}
-
 bool CsvReader::next_line(std::string_view& line) {
-  if (!read_ahead_) return next_behind_comments(line);
+  if (!read_ahead_) return next_behind_comments(lines_, line);
   present_ = std::move(*read_ahead_);
   read_ahead_.reset();
   line = present_;
@@ -335,7 +337,7 @@ bool CsvReader::next() {
     return true;
   }
   const std::size_t empty_line = lines_.line_number();
-  while (next_behind_comments(line)) {
+  while (next_behind_comments(lines_, line)) {
     if (trimmed(line).empty()) continue;
     throw SpecError({{file(), "", fmt::format("line {}: empty, between rows", empty_line)}});
   }
@@ -346,7 +348,7 @@ bool CsvReader::next() {
 bool CsvReader::drops_cut_end() {
   std::string_view line;
   const std::vector<std::string> short_row(cells_.begin(), cells_.end());
-  while (next_behind_comments(line)) {
+  while (next_behind_comments(lines_, line)) {
     if (trimmed(line).empty()) continue;
     cells_.assign(short_row.begin(), short_row.end());
     check_row();
@@ -429,9 +431,14 @@ std::string CsvReader::place() const {
 }
 
 void CsvReader::split(std::string_view line) {
-  if (separator_ == ' ') return split_at_blanks(line);
   cells_.clear();
   unquoted_.clear();
+  if (separator_ == ' ') {
+    unquoted_.reserve(words_in(line));
+    for (const std::string_view cell : cells_between_blanks(line)) add_cell(cell);
+    if (cells_.size() <= kMostColumns) return;
+    refuse_row(fmt::format("more than the allowed {} columns", kMostColumns));
+  }
   const auto needs_own = [](char each) { return each == '"' || each == ','; };
   unquoted_.reserve(static_cast<std::size_t>(std::count_if(line.begin(), line.end(), needs_own)));
   std::size_t place = 0;
@@ -469,20 +476,6 @@ void CsvReader::split(std::string_view line) {
   // A separator at the end of each row begins no cell.
   const bool is_ended = cells_.size() == header_.size() + 1 && cells_.back().empty();
   if (is_ended && !header_.empty()) cells_.pop_back();
-}
-
-void CsvReader::split_at_blanks(std::string_view line) {
-  cells_.clear();
-  unquoted_.clear();
-  unquoted_.reserve(words_in(line));
-  for (line = trimmed(line); !line.empty();) {
-    if (cells_.size() == kMostColumns) {
-      refuse_row(fmt::format("more than the allowed {} columns", kMostColumns));
-    }
-    const std::size_t end = std::min(line.find_first_of(" \t"), line.size());
-    add_cell(line.substr(0, end));
-    line = trimmed(line.substr(end));
-  }
 }
 
 /// Where commas do not separate, one in a number is its decimal point.

@@ -12,14 +12,13 @@
 
 namespace torquewright::io {
 
-/// A table of numbers with a header line, row by row, in flat memory; of a text file, or of what
-/// table_bytes.hpp reads. Cells are separated by what separates the header's most: commas,
-/// semicolons or tabs (a spreadsheet's first line sep=; says it too), without any of these by
-/// blanks where the row behind has as many numbers; they may stand in double quotes. Where they are
-/// not separated by commas, decimals may have commas; then all have. Lines that start with #,
-/// and empty lines at the end, are skipped; where a table of numbers begins behind such lines, the
-/// last one has its names. A separator that ends each line begins no column. Every fault is a
-/// SpecError with file, line and column.
+/// A table of numbers with a header line, row by row, in flat memory; of text, or as
+/// table_bytes.hpp reads it. Cells are separated by what separates the header's most: commas,
+/// semicolons or tabs (a first line sep=; says it too), else blanks where the row behind has as
+/// many numbers; they may stand in double quotes. Without commas between them, decimals may have
+/// commas; then all have. Lines that start with #, and empty lines at the end, are skipped; where
+/// numbers begin behind one, it has the names. A separator at each line's end begins no column.
+/// Faults are SpecErrors.
 class CsvReader {
  public:
   /// What a last line is that ends within the row, as that of a recorder that was stopped.
@@ -82,14 +81,9 @@ class CsvReader {
 
  private:
   void find_separator(std::string_view header);
-  void take_header(std::string line);
-  void look_behind_header(UnitsRow units_row);
-  void refuse_other_separator() const;
   void take_units(UnitsRow units_row);
-  bool next_behind_comments(std::string_view& line);
   bool next_line(std::string_view& line);
   void split(std::string_view line);
-  void split_at_blanks(std::string_view line);
   void add_cell(std::string_view cell);
   void check_encoding(std::string_view first_line) const;
   void check_header() const;
@@ -102,7 +96,7 @@ class CsvReader {
   std::vector<std::string> comments_;
   std::vector<std::string_view> cells_;  ///< Of the present row, trimmed, without quotes.
   CutEnd cut_end_;
-  char separator_ = ',';   ///< A blank: any number of them.
+  char separator_ = ',';
   char decimal_mark_ = 0;  ///< As cells had it so far; 0: none had one.
   std::vector<std::string> units_;
   std::optional<std::string> read_ahead_;  ///< The line behind the header, where it is a row.
