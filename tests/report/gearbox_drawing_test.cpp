@@ -233,7 +233,7 @@ TEST(GearboxDrawing, CutsAlongTheAxisToScale) {
   ASSERT_NE(svg.find("scale 2:1 (A4 x 3)"), std::string::npos);
   const auto sun = rectangles(svg, "sun"), planet = rectangles(svg, "planet_2");
   ASSERT_EQ(sun.size(), 3u);
-  ASSERT_EQ(planet.size(), 2u);
+  ASSERT_EQ(planet.size(), 3u);                             // four planets: one faces the first
   EXPECT_NEAR(sun[0][2], 16.0, 1e-3);                       // 2 * 8 mm
   EXPECT_NEAR(sun[0][3], 0.5 * (24.9 - 12.0) * 2.0, 1e-3);  // from bore to root
   EXPECT_NEAR(planet[0][2], 13.0, 1e-3);                    // 2 * 6.5 mm

@@ -81,25 +81,25 @@ std::string sun_part(const Section& section, const Slice& slice, double side) {
                         {section.root_mm(sun), section.tip_mm(sun)}, side);
 }
 
-/// The first planet, above the sun.
-std::string planet_part(const Section& section, const Slice& slice) {
+/// The first planet, above the sun, or the one that faces it.
+std::string planet_part(const Section& section, const Slice& slice, double side) {
   const DrawnGear& planet = section.gear(slice.layer->planet);
   const double centre_mm = section.layout.center_distance_mm;
   const double root_mm = section.root_mm(planet), tip_mm = section.tip_mm(planet);
-  return section.rectangle(planet.id, slice, {centre_mm - root_mm, centre_mm + root_mm}, 1.0) +
-         section.rectangle("frame-thin", slice, {centre_mm + root_mm, centre_mm + tip_mm}, 1.0) +
-         section.rectangle("frame-thin", slice, {centre_mm - tip_mm, centre_mm - root_mm}, 1.0);
+  return section.rectangle(planet.id, slice, {centre_mm - root_mm, centre_mm + root_mm}, side) +
+         section.rectangle("frame-thin", slice, {centre_mm + root_mm, centre_mm + tip_mm}, side) +
+         section.rectangle("frame-thin", slice, {centre_mm - tip_mm, centre_mm - root_mm}, side);
 }
 
 /// What joins both gears of a planet: as thick as the thinner one's root, which is assumed.
-std::string planet_neck(const Section& section) {
+std::string planet_neck(const Section& section, double side) {
   if (section.slices.size() < 2) return "";
   const Slice gap{nullptr, section.slices[0].to_x, section.slices[1].from_x};
   const double thinner_mm =
       std::min(section.root_mm(section.gear(section.slices[0].layer->planet)),
                section.root_mm(section.gear(section.slices[1].layer->planet)));
   const double centre_mm = section.layout.center_distance_mm;
-  return section.rectangle("hidden", gap, {centre_mm - thinner_mm, centre_mm + thinner_mm}, 1.0);
+  return section.rectangle("hidden", gap, {centre_mm - thinner_mm, centre_mm + thinner_mm}, side);
 }
 
 std::string center_lines(const Section& section) {
@@ -154,12 +154,12 @@ std::string labels(const Section& section) {
     svg += label(section.gear(slice.layer->planet), x,
                  section.center.y - section.paper_mm(section.layout.center_distance_mm) - 3.0,
                  outwards);
-    if (!slice.layer->is_second) {
-      svg += label(
-          section.layout.gears.front(), x,
-          section.center.y - 0.5 * section.paper_mm(section.root_mm(section.layout.gears.front())),
-          outwards);
-    }
+    if (slice.layer->is_second) continue;
+    const DrawnGear& sun = section.layout.gears.front();
+    const double bore_mm = std::max(0.0, 0.5 * section.layout.drawing.hollow_shaft_diameter_mm);
+    svg +=
+        label(sun, x, section.center.y - section.paper_mm(0.5 * (bore_mm + section.root_mm(sun))),
+              outwards);
   }
   return svg;
 }
@@ -187,15 +187,18 @@ std::string notes(const Section& section) {
 
 std::string axial_section(const DrawingLayout& layout, const Point& center) {
   const Section section = section_of(layout, center);
+  const bool is_faced = layout.drawing.planet_count % 2 == 0;
   std::string svg = svg_text("heading middle", {center.x, 15.0}, "Section along the axis");
   for (const Slice& slice : section.slices) {
     for (const double side : {1.0, -1.0}) {
       svg += ring_part(section, slice, side) + sun_part(section, slice, side);
     }
-    svg += planet_part(section, slice);
+    svg += planet_part(section, slice, 1.0);
+    if (is_faced) svg += planet_part(section, slice, -1.0);
   }
-  return svg + planet_neck(section) + center_lines(section) + dimensions(section) +
-         labels(section) + notes(section);
+  svg += planet_neck(section, 1.0);
+  if (is_faced) svg += planet_neck(section, -1.0);
+  return svg + center_lines(section) + dimensions(section) + labels(section) + notes(section);
 }
 
 }  // namespace torquewright::report
