@@ -47,7 +47,7 @@ PlanResult filled(PlanStatus status) {
 
 std::string text_of(const PlanResult& result, bool has_seconds = false,
                     const PlanOptions& options = {}) {
-  return flip_text({named("leg"), options, result, {"try this"}, has_seconds});
+  return flip_text({named("leg"), options, result, {"try this"}, "", has_seconds});
 }
 
 void expect_line(const std::string& text, const std::string& line) {

@@ -23,7 +23,7 @@ constexpr double kMargin = 56;      // around it: for the axes' numbers
 constexpr double kStrip = 150;      // height of the moments by themselves, at most
 constexpr double kLegend = 30;      // height of the legend
 constexpr double kCaption = 22;     // height of the moments' times
-constexpr double kBetween = 60;     // lines of the grid, at least
+constexpr double kBetween = 50;     // lines of the grid, at least
 constexpr Index kWaySamples = 200;  // of the way of the centre of mass
 
 constexpr const char* kStyle =
