@@ -61,7 +61,7 @@ double luminance(const Colour& colour) {
 }
 
 double contrast(const Colour& one, const Colour& other) {
-  const auto [less, more] = std::minmax(luminance(one), luminance(other));
+  const auto [less, more] = std::minmax({luminance(one), luminance(other)});
   return (more + 0.05) / (less + 0.05);
 }
 
