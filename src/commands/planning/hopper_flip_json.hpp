@@ -5,7 +5,7 @@
 #include <string>
 
 #include "src/commands/planning/hopper_flip_inputs.hpp"
-#include "src/commands/planning/hopper_flip_robust.hpp"
+#include "src/commands/planning/robust_choice.hpp"
 #include "src/sweep/swept.hpp"
 
 namespace torquewright::cli {

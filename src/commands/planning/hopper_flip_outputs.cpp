@@ -13,6 +13,7 @@
 #include "io/files/atomic_file.hpp"
 #include "src/commands/planning/hopper_flip_json.hpp"
 #include "src/commands/planning/hopper_flip_next.hpp"
+#include "src/commands/planning/hopper_flip_robust.hpp"
 #include "src/options/output_files.hpp"
 #include "src/report/motion/flip_html.hpp"
 #include "src/report/motion/flip_text.hpp"

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "src/commands/planning/hopper_flip_inputs.hpp"
-#include "src/commands/planning/hopper_flip_robust.hpp"
+#include "src/commands/planning/robust_choice.hpp"
 
 namespace torquewright::cli {
 

@@ -4,18 +4,10 @@
 #include <optional>
 #include <string>
 
-#include "hopper/planning/search/reserve_search.hpp"
 #include "src/commands/planning/hopper_flip_inputs.hpp"
+#include "src/commands/planning/robust_choice.hpp"
 
 namespace torquewright::cli {
-
-/// How a reserve was chosen by trials.
-struct RobustChoice {
-  hopper::ReserveChoice choice;
-  hopper::TrialCounts fresh;        ///< Of the chosen plan, on draws that chose nothing.
-  hopper::TrialCounts fresh_least;  ///< Of the least reserve's plan on the same; of none: no plan.
-  std::uint64_t fresh_seed = 0;
-};
 
 /// `hopper flip --robust FILE`: plans with reserves from --reserve on, replays each in trials, and
 /// leaves the chosen plan in `result` and its reserve in `inputs`; of no plan at all the least

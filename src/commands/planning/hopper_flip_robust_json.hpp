@@ -3,7 +3,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "src/commands/planning/hopper_flip_robust.hpp"
+#include "src/commands/planning/robust_choice.hpp"
 
 namespace torquewright::cli {
 
