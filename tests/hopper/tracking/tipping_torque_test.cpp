@@ -69,6 +69,7 @@ TEST(TippingTorque, OfABlockOnOneAnkle) {
 Robot block_on_a_rolling_ankle() {
   Robot robot = block_on_an_ankle();
   robot.tree.base = dynamics::BaseKind::kSpatial;
+  robot.tree.bodies[0].inertia.center_of_mass_m.x() = 0.0;  // or it would begin to fall forward
   robot.tree.bodies[1].joint.axis = Eigen::Vector3d::UnitX();
   robot.contacts[0].point.p_B_m = {0, kHeel_m, 0};
   robot.contacts[1].point.p_B_m = {0, kToe_m, 0};
