@@ -228,6 +228,7 @@ void add_trial_options(Command& command, HopperFlipRequest& request) {
       .add_option("--robust", request.robust_file,
                   "Document of kind randomisation: plan with reserves from --reserve on, try each "
                   "plan in --trials, and keep the one that most of them do")
+      .otherwise("the reserve as it is stated")
       .needs("--trials")
       .stated_as("robust", kTrialsPlace);
   command

@@ -83,7 +83,9 @@ TEST(EpochTimes, OfAPictureAreThoseFromItsStart) {
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   }
   EXPECT_EQ(place.text("epoch.svg").find("e+09"), std::string::npos);
-  EXPECT_EQ(with(place.text("epoch.svg"), "epoch.csv", "plain.csv"), place.text("plain.svg"));
+  std::string epoch = place.text("epoch.svg");  // names the file in its title and above its curves
+  for (int named = 0; named < 2; ++named) epoch = with(epoch, "epoch.csv", "plain.csv");
+  EXPECT_EQ(epoch, place.text("plain.svg"));
 }
 
 // Oracle: the excitation's own times.

@@ -169,7 +169,8 @@ TEST_F(HopperFlipSweep, ChoosesAReserveByTrials) {
             .out)["trials"]["succeeded"];
   };
   for (const json& one : choice["tried"]) {
-    if (one["reserve"] == choice["chosen"]) EXPECT_EQ(one["trials"]["succeeded"], by_hand("1"));
+    if (one["reserve"] != choice["chosen"]) continue;
+    EXPECT_EQ(one["trials"]["succeeded"], by_hand("1"));
   }
   EXPECT_EQ(choice["fresh_seed"], 2);
   EXPECT_EQ(choice["fresh"]["succeeded"], by_hand("2"));

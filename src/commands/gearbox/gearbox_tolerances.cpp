@@ -147,7 +147,7 @@ void add_tolerances_command(command_line::Command& gearbox) {
   add_demand_options(command, *options);
   command.add_option("--draws", options->draws, "How many gearboxes are drawn")
       .integer_between(1, 1'000'000);
-  command.add_option("--seed", options->seed, "Of the draws; the same draws the same");
+  command.add_option("--seed", options->seed, "Seed of the draws: the same gives the same");
   command
       .add_option("--distribution", options->distribution,
                   "How dimensions lie between their limits; normal: limits at three deviations")
@@ -157,7 +157,7 @@ void add_tolerances_command(command_line::Command& gearbox) {
   command.add_flag("--json", options->json, "Print the report as JSON");
   command.example(
       "torquewright gearbox tolerances specs/gearbox/d151_knee_result.json --centre-distance 0.01 "
-      "--max-backlash 0.006 --min-yield 0.99");
+      "--max-backlash 0.009 --min-yield 0.99");
   command.works([options] { return run_tolerances(*options); });
 }
 
