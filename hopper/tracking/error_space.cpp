@@ -27,18 +27,11 @@ MatrixXd kernel(const MatrixXd& rows) {
   return svd.matrixV().rightCols(n - svd.rank());
 }
 
-/// Unfelt ones without an account: in the air the way counts from where it took off.
-MatrixXd uncounted_directions(const dynamics::TreeState& state, const TouchingPoints& touches) {
-  const MatrixXd unfelt = unfelt_directions(state);
-  if (touches.any()) return unfelt;
-  return unfelt.rightCols(unfelt.cols() == 3 ? 1 : 0);
-}
-
 /// How the base's velocity along the world turns with the heading, per unfelt direction (n x k).
 MatrixXd turned_velocities(const dynamics::TreeState& state, Index directions) {
   MatrixXd turned = MatrixXd::Zero(state.tree().velocity_size(), directions);
   if (state.tree().base != dynamics::BaseKind::kSpatial) return turned;
-  turned.rightCols<1>().head<3>() = Eigen::Vector3d::UnitZ().cross(state.velocity().head<3>());
+  turned.col(2).head<3>() = Eigen::Vector3d::UnitZ().cross(state.velocity().head<3>());
   return turned;
 }
 
@@ -83,7 +76,7 @@ std::optional<ErrorSpace> error_space(WholeBody& body, const VectorXd& position,
                                       const VectorXd& velocity, const TouchingPoints& touches) {
   if (!body.set(position, velocity)) return std::nullopt;
   const Index n = velocity.size();
-  const MatrixXd unfelt = uncounted_directions(body.state(), touches);
+  const MatrixXd unfelt = unfelt_directions(body.state());
   const MatrixXd turned = turned_velocities(body.state(), unfelt.cols());
   const ContactRows rows = contact_rows(body.robot(), body.state(), touches);
   MatrixXd mass(n, n);

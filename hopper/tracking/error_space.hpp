@@ -10,7 +10,7 @@ namespace torquewright::hopper {
 
 /// Errors (2 n x 1, as in linearisation.hpp) that the ground leaves possible while some points hold
 /// to it, up to where the robot stands and which way it faces: those change nothing that a drive
-/// could mend. In the air, how far it is from where the flight was to lead counts. docs/derivations/tracking.md eqs. (8)-(11).
+/// could mend. docs/derivations/tracking.md eqs. (8)-(11).
 struct ErrorSpace {
   Eigen::MatrixXd from_free;  ///< (2 n x m): errors from the m that are free.
   /// (m x 2 n), a left inverse of from_free: what remains of any error once the ground has taken

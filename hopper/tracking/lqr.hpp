@@ -19,16 +19,16 @@ enum class LqrEnd {
 /// period. docs/derivations/tracking.md, "Weights".
 struct LqrOptions {
   double control_period_s = 5e-4;  ///< Time between looks; torques are held over it.
-  double place_m = 0.05;           ///< Error of the base's position, of where feet come down.
+  double place_m = 0.05;           ///< Error of the base's position.
   double tilt_rad = 0.1;           ///< Error of the base's angle about level axes.
   double joint_rad = 0.2;          ///< Error of every joint; in m where it is prismatic.
   double speed_m_s = 0.5;          ///< Error of the base's velocity.
   double turn_rate_rad_s = 1.0;    ///< Error of the base's angular velocity.
   double joint_rate_rad_s = 2.0;   ///< Error of every joint's rate.
   double torque_share = 0.05;      ///< Torque as a share of each drive's peak torque.
-  /// Upper bound of that torque, as a share of the torque with which what touches, then and in the
-  /// last stance, begins to tip (tipping_torque.hpp), where it can.
-  double tipping_share = 0.35;
+  /// Upper bound of that torque, as a share of the torque with which the foot of the last stance
+  /// begins to tip (tipping_torque.hpp), where it can.
+  double tipping_share = 0.5;
   /// Torques by drive, at its output, in place of the two shares; empty: the shares hold.
   Eigen::VectorXd torque_Nm;
   LqrEnd end = LqrEnd::kSteadyState;

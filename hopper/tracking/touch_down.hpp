@@ -15,10 +15,4 @@ std::optional<Eigen::MatrixXd> touch_down_map(WholeBody& body, const DrivenState
                                               const TouchingPoints& old,
                                               const TouchingPoints& held);
 
-/// Returns how far the landing points' middle comes down from where it was to, along x and y, per
-/// error in front of a touch-down (2 x 2 n); zero where they do not come down. None where a
-/// mechanism does not reach the posture.
-std::optional<Eigen::MatrixXd> landing_place(WholeBody& body, const DrivenState& before,
-                                             const TouchingPoints& old, const TouchingPoints& held);
-
 }  // namespace torquewright::hopper
