@@ -10,26 +10,12 @@
 namespace torquewright::fuzz {
 namespace {
 
-constexpr std::array<std::string_view, 20> kOutputOptions{"--all",
-                                                          "-o",
-                                                          "--output",
-                                                          "--draw",
-                                                          "--plot",
-                                                          "--plot-loads",
-                                                          "--plot-momentum",
-                                                          "--refined",
-                                                          "--export",
-                                                          "--write-best",
-                                                          "--figures",
-                                                          "--report",
-                                                          "--series",
-                                                          "--plot-sweep",
-                                                          "--sweep-journal",
-                                                          "--curve",
-                                                          "--actuators",
-                                                          "--dxf",
-                                                          "--step",
-                                                          "--svg"};
+constexpr std::array<std::string_view, 20> kOutputOptions{
+    "--all",       "-o",           "--output",        "--draw",
+    "--plot",      "--plot-loads", "--plot-momentum", "--refined",
+    "--export",    "--write-best", "--figures",       "--report",
+    "--series",    "--plot-sweep", "--sweep-journal", "--curve",
+    "--actuators", "--dxf",        "--step",          "--svg"};
 
 /// Of what is done point by point, beside its output (docs/sweeps.md).
 constexpr std::string_view kJournal = ".journal";
