@@ -182,7 +182,16 @@ std::string names_between(std::size_t count, char separator) {
 
 /// What is wrong with a header whose rows have another separator, so that it names columns that
 /// nobody has; empty: nothing.
-std::string other_separator(std::size_t names, char separator, std::string_view behind) {
+std::string other_separator(const std::vector<std::string>& header, char separator,
+                            std::string_view behind) {
+  const std::size_t names = header.size();
+  const std::size_t words = names == 1 ? words_in(header.front()) : 0;
+  if (separator == ',' && words > 2 && count_outside_quotes(behind, ',') + 1 == words) {
+    return fmt::format(
+        "the header has {0} names between blanks, the line behind it has {0} between commas; one "
+        "table has one separator, commas, semicolons, tabs or blanks",
+        words);
+  }
   if (separator == ' ' || count_outside_quotes(behind, separator) > 0) return "";
   for (const Separator& other : kSeparators) {
     const std::size_t count = count_outside_quotes(behind, other.letter);
@@ -245,7 +254,7 @@ void CsvReader::find_separator(std::string_view header) {
 /// The line behind the header is one of units if no cell is a number and half of them or more are
 /// units.
 void CsvReader::take_units(UnitsRow units_row) {
-  const std::string fault = other_separator(header_.size(), separator_, *read_ahead_);
+  const std::string fault = other_separator(header_, separator_, *read_ahead_);
   if (!fault.empty()) refuse_row(fault);
   line_ = lines_.line_number();
   split(*read_ahead_);

@@ -225,9 +225,10 @@ void add_trial_options(Command& command, HopperFlipRequest& request) {
       .integer_between(1, 1000000)
       .stated_as("trials", kTrialsPlace);
   command
-      .add_option("--robust", request.robust_file,
-                  "Document of kind randomisation: plan with reserves from --reserve on, try each "
-                  "plan in --trials, and keep the one that most of them do")
+      .add_option(
+          "--robust", request.robust_file,
+          "Document of kind randomisation: plan with reserves from --reserve on, each within "
+          "--time-limit, try each plan in --trials, and keep the one that most of them do")
       .otherwise("the reserve as it is stated")
       .needs("--trials")
       .stated_as("robust", kTrialsPlace);

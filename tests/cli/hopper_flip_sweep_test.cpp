@@ -204,6 +204,9 @@ TEST_F(HopperFlipSweep, IsRefused) {
   expect_refusal({"-o", "plan.csv", "--robust", "no.json", "--trials", "2"}, "no.json");
   expect_refusal({"-o", "plan.csv", "--robust", drawn, "--trials", "2", "--randomise", drawn},
                  "leave out --randomise");
+  expect_refusal({"-o", "plan.csv", "--robust", drawn, "--trials", "2", "--explain"},
+                 "leave out one of them");
+  expect_refusal({"-o", "plan.csv", "--robust", drawn, "--trials", "2", "--report", drawn}, drawn);
   expect_refusal({"--sweep", "knee_ratio=16", "--robust", drawn, "--trials", "2"},
                  "is of one robot");
   expect_refusal({"--sweep", "knee_ratio=16", "--trials", "2"}, "needs --randomise FILE");

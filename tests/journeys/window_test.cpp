@@ -202,11 +202,14 @@ TEST_P(WatchedMotion, IsDrawnAgain) {
 
 INSTANTIATE_TEST_SUITE_P(
     Window, WatchedMotion,
-    testing::Values(Watched{
-        "a picture of one drive",
-        "torquewright actuator check motion.csv --joint knee=specs/actuator/d151_knee.json "
-        "--plot check.svg",
-        "knee_extension.csv", "check.svg"}));
+    testing::Values(
+        Watched{"a picture of one drive",
+                "torquewright actuator check motion.csv --joint knee=specs/actuator/d151_knee.json "
+                "--plot check.svg",
+                "knee_extension.csv", "check.svg"},
+        Watched{"a robot's page",
+                "torquewright hopper check specs/robot/hopper.json motion.csv --report page.html",
+                "hopper_squat.csv", "page.html"}));
 
 }  // namespace
 }  // namespace torquewright::journeys

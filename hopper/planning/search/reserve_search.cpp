@@ -34,7 +34,8 @@ class ReserveSearch {
   /// Whether it has a plan; one that was tried is not tried again.
   bool try_one(double reserve) {
     if (reserve < -kSame || reserve > greatest_reserve()) return false;
-    if (trials_.should_stop && trials_.should_stop()) return false;
+    const bool is_first = choice_.tried.empty();  // whose answer there always is
+    if (!is_first && trials_.should_stop && trials_.should_stop()) return false;
     const auto at = std::find_if(choice_.tried.begin(), choice_.tried.end(),
                                  [&](const auto& one) { return one.reserve > reserve - kSame; });
     if (at != choice_.tried.end() && at->reserve < reserve + kSame) return at->trials.has_value();

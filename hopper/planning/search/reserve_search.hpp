@@ -23,11 +23,11 @@ struct ReserveTrials {
   std::function<PlanResult(double reserve)> plan;
   /// How a plan fares in trials, the same draws each time.
   std::function<TrialCounts(const PlanResult& plan)> fare;
-  std::function<bool()> should_stop = {};  ///< May be empty.
+  std::function<bool()> should_stop = {};  ///< Asked behind the first; may be empty.
 };
 
-/// Reserves in ascending order, and the one with which most trials succeed: of several the least,
-/// which costs least. `chosen` is none where no reserve has a plan.
+/// Reserves in ascending order, one at least, and the one with which most trials succeed: of
+/// several the least, which costs least. `chosen` is none where no reserve has a plan.
 struct ReserveChoice {
   std::vector<TriedReserve> tried;
   std::optional<std::size_t> chosen;

@@ -5,12 +5,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 #include "gearbox/topologies/topology.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/faults/spec_error.hpp"
 #include "io/files/given_once.hpp"
+#include "io/text/stepped_range.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -34,15 +34,15 @@ std::vector<double> face_widths_mm(const StatedSizes& stated,
 }
 
 double bore_mm(const std::string& item, const std::string& number) {
-  char* end = nullptr;
-  const double value_mm = std::strtod(number.c_str(), &end);
-  const bool is_decimal = number.find_first_of("xX") == std::string::npos;
-  if (number.empty() || !is_decimal || *end != '\0' ||
-      !(value_mm >= 0.0 && value_mm <= kWidestBore_mm)) {
-    io::refuse("--bore",
-               fmt::format("\"{}\": needs a diameter from 0 to {:g} mm", item, kWidestBore_mm));
-  }
-  return value_mm;
+  const io::RangeRule rule{
+      .refuse =
+          [&item](const std::string&) {
+            io::refuse("--bore", fmt::format("\"{}\": needs a diameter from 0 to {:g} mm", item,
+                                             kWidestBore_mm));
+          },
+      .least = 0.0,
+      .greatest = kWidestBore_mm};
+  return io::nearest(io::read_range_number(number, rule));
 }
 
 }  // namespace

@@ -5,13 +5,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <limits>
 #include <map>
 
 #include "io/faults/refusal.hpp"
 #include "io/files/given_once.hpp"
+#include "io/text/stepped_range.hpp"
 
 namespace torquewright::cli {
 namespace {
@@ -21,15 +19,6 @@ using gearbox::PartLimit;
 
 constexpr double kMost_mm = 1.0;
 
-/// Infinite where the text is no decimal number.
-double number_of(const std::string& text) {
-  constexpr double kNone = std::numeric_limits<double>::infinity();
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const bool is_decimal = text.find_first_of("xX") == std::string::npos;
-  return text.empty() || !is_decimal || *end != '\0' || std::isnan(value) ? kNone : value;
-}
-
 struct Thickness {
   double least_mm = 0.0;
   double greatest_mm = 0.0;
@@ -37,18 +26,22 @@ struct Thickness {
 
 /// "-0.06:-0.03"; `item` is what stands on the command line.
 Thickness thickness_of(const std::string& item, const std::string& range) {
+  const io::RangeRule rule{
+      .refuse =
+          [&item](const std::string&) {
+            io::refuse("--tooth-thickness",
+                       fmt::format("\"{}\": needs two lengths from -{:g} to {:g} mm, the lesser "
+                                   "first, as in -0.06:-0.03",
+                                   item, kMost_mm, kMost_mm));
+          },
+      .least = -kMost_mm,
+      .greatest = kMost_mm};
   const std::size_t colon = range.find(':');
   const std::string second = colon == std::string::npos ? "" : range.substr(colon + 1);
-  const double least_mm = number_of(range.substr(0, colon));
-  const double greatest_mm = number_of(second);
-  if (std::abs(least_mm) <= kMost_mm && std::abs(greatest_mm) <= kMost_mm &&
-      least_mm <= greatest_mm) {
-    return {least_mm, greatest_mm};
-  }
-  io::refuse("--tooth-thickness",
-             fmt::format("\"{}\": needs two lengths from -{:g} to {:g} mm, the lesser first, as "
-                         "in -0.06:-0.03",
-                         item, kMost_mm, kMost_mm));
+  const Thickness limits{io::nearest(io::read_range_number(range.substr(0, colon), rule)),
+                         io::nearest(io::read_range_number(second, rule))};
+  if (limits.least_mm > limits.greatest_mm) rule.refuse("they descend");
+  return limits;
 }
 
 void require_gear(const std::string& item, const std::string& gear,

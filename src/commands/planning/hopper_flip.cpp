@@ -60,6 +60,9 @@ HopperFlipRequest with_trials(HopperFlipRequest request) {
   if (!request.sweep.axes.empty()) {
     io::refuse("--robust", "is of one robot: --sweep takes --reserve and --trials");
   }
+  if (request.plan.explain) {
+    io::refuse("--explain", "is of one plan, and --robust makes several: leave out one of them");
+  }
   if (!request.trials.randomise_file.empty()) {
     io::refuse("--randomise", "and --robust both name what trials draw: leave out --randomise");
   }
@@ -84,7 +87,8 @@ ExitCode run_hopper_flip(const HopperFlipRequest& stated) {
     robust = plan_robustly(request, inputs, result);
   }
   write_flip_outputs(request, inputs, result, robust);
-  return code_of(result.status);
+  // A choice that was cut short is none of what was asked for.
+  return robust && is_interrupted() ? ExitCode::kUndecided : code_of(result.status);
 }
 
 }  // namespace

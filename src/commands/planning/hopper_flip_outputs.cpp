@@ -105,9 +105,10 @@ void require_flip_outputs(const HopperFlipRequest& request) {
 }
 
 void check_flip_files(const HopperFlipRequest& request) {
-  check_written(named({request.motion_file, request.best_file, request.momentum_file,
-                       request.figures_file, request.report_file}),
-                named({request.warm.robot_file, request.warm.trajectory_file}));
+  check_written(
+      named({request.motion_file, request.best_file, request.momentum_file, request.figures_file,
+             request.report_file}),
+      named({request.warm.robot_file, request.warm.trajectory_file, request.robust_file}));
 }
 
 void write_flip_outputs(const HopperFlipRequest& request, const HopperFlipInputs& inputs,

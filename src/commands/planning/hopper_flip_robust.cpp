@@ -87,7 +87,8 @@ std::string robust_lines(const HopperFlipRequest& request, const RobustChoice& r
                                           tried[i].result.objective, share_words(*tried[i].trials))
                             : fmt::format("no plan: {}\n", name_of(tried[i].result.status));
   }
-  if (!robust.choice.chosen) return text;
+  if (is_interrupted()) text += "  ended by Ctrl-C: what else there is was not tried\n";
+  if (!robust.choice.chosen || robust.fresh.done() == 0) return text;
   text += fmt::format("  of other draws (seed {}): {} do it", robust.fresh_seed,
                       share_words(robust.fresh));
   if (robust.fresh_least.done() > 0 && *robust.choice.chosen > 0) {

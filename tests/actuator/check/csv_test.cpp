@@ -158,7 +158,10 @@ INSTANTIATE_TEST_SUITE_P(
                      "line 1: the header has 2 names between commas, the line behind it has 2 "
                      "between semicolons; one table has one separator, commas, semicolons, tabs or "
                      "blanks"},
-        MistakenText{"a b c\n1,2,3\n", "line 2: has 3 cells, the header has 1"},
+        MistakenText{"a b c\n1,2,3\n",
+                     "line 1: the header has 3 names between blanks, the line behind it has 3 "
+                     "between commas; one table has one separator, commas, semicolons, tabs or "
+                     "blanks"},
         MistakenText{"a|b\n1|2\n",
                      "line 1: the header has one name, the line behind it has 2 between upright "
                      "lines; one table has one separator, commas, semicolons, tabs or blanks"},

@@ -18,6 +18,7 @@ struct MadeUpPlanner {
   double last_plan = 0.0;
   std::map<int, std::size_t> by_hundredths;  ///< Of the reserve; others: none succeeds.
   std::map<int, int> asked = {};
+  bool is_stopped = false;
 
   ReserveChoice search(double least) {
     return search_reserve(
@@ -33,7 +34,8 @@ struct MadeUpPlanner {
                   const auto at =
                       by_hundredths.find(static_cast<int>(std::lround(100.0 * plan.objective)));
                   return TrialCounts{at == by_hundredths.end() ? 0 : at->second, 100, 0};
-                }});
+                },
+                [this] { return is_stopped; }});
   }
 };
 
@@ -61,6 +63,14 @@ TEST(ReserveSearch, OfSeveralKeepsTheCheapest) {
   EXPECT_EQ(choice.tried[choice.chosen.value()].reserve, 0.02);
   EXPECT_LE(choice.tried.back().reserve, greatest_reserve());
   EXPECT_NO_THROW(with_reserve(greatest_reserve()));
+}
+
+TEST(ReserveSearch, HasAnAnswerThoughItIsStoppedAtOnce) {
+  MadeUpPlanner planner{0.5, {{2, 90}, {6, 95}}};
+  planner.is_stopped = true;
+  const ReserveChoice choice = planner.search(0.02);
+  ASSERT_EQ(choice.tried.size(), 1u);
+  EXPECT_EQ(choice.tried[choice.chosen.value()].reserve, 0.02);
 }
 
 TEST(ReserveSearch, ChoosesNoneWhereNothingIsPlanned) {
