@@ -61,6 +61,20 @@ TEST(StepFiles, HaveTheBoresThatAreStated) {
   EXPECT_EQ(cylinders({"--bore", "sun=0"}), 4U);
 }
 
+// What is stated of widths is drawn too; a bore is of solids alone.
+TEST(StepFiles, ShareTheirWidthsWithTheSheet) {
+  const Workplace place;
+  EXPECT_EQ(drawing(place, {"--svg", "sheet.svg", "--face-width", "10.5,9.25"}).exit_code, 0);
+  const std::string sheet = place.text("sheet.svg");
+  for (const char* width : {"b1 = 10.5", "b2 = 9.25"}) {
+    EXPECT_NE(sheet.find(width), std::string::npos) << width;
+  }
+  const Outcome bored = drawing(place, {"--svg", "other.svg", "--bore", "sun=5"});
+  EXPECT_EQ(bored.exit_code, 2);
+  EXPECT_NE(bored.err.find("--step"), std::string::npos) << bored.err;
+  EXPECT_FALSE(place.has("other.svg"));
+}
+
 TEST(StepFiles, RefuseWhatIsNoBody) {
   const Workplace place;
   const auto refusal = [&](std::vector<std::string> options) {

@@ -66,11 +66,11 @@ ExitCode run_drawing(const DrawingOptions& options) {
                 {options.result_file});
   require_svg("--svg", options.svg_file);
   report::DrawnGearbox drawn = drawn_gearbox(read.problem, read.design);
-  if (!read.face_width_mm.empty()) drawn.face_width_mm = read.face_width_mm;
   const report::DrawingLayout layout = report::lay_out(drawn);
   const report::BodySizes sizes = body_sizes(
       {options.result_file, options.face_width_mm, options.bore, !options.step_file.empty()},
       read.face_width_mm, layout);
+  if (!sizes.face_width_mm.empty()) drawn.face_width_mm = sizes.face_width_mm;
   const std::vector<report::GearData> data = report::gear_data(layout, sizes.face_width_mm);
   std::vector<io::FileContent> files;
   if (!options.svg_file.empty())
@@ -119,6 +119,7 @@ void add_drawing_command(command_line::Command& gearbox) {
       .add_option("--bore", options->bore,
                   "Bore of a gear's solid, in mm: planet_1=5,planet_2=5; 0 is none")
       .otherwise("the sun has the hollow shaft's, planets have none")
+      .needs("--step")
       .separated_by_commas()
       .one_value_each();
   command.add_option("--svg", options->svg_file, "Write the drawing sheet to this SVG file")
