@@ -71,6 +71,10 @@ std::vector<std::string> effects_not_asked(const AnalysisOptions& options) {
 
 }  // namespace
 
+Verdict verdict_of_equations(const Identification& found) {
+  return overall(found.equations, found.findings);
+}
+
 Identification identify(const std::vector<std::filesystem::path>& logs, const Rig& rig,
                         const std::vector<JointActuator>& actuators,
                         const IdentifyOptions& options) {
@@ -105,7 +109,7 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
   }
   found.not_asked = effects_not_asked(options.analysis);
   add_findings(found);
-  found.verdict = overall(found.equations, found.findings);
+  found.verdict = verdict_of_equations(found);
   found.leading = leading(found.equations);
   if (options.empirical) found.tables = tables_of(found.equations);
   return found;

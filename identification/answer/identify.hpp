@@ -47,6 +47,9 @@ struct Identification {
   std::vector<std::string> not_asked;  ///< Effects that the options excluded.
 };
 
+/// The one verdict that its equations come to, unless the data themselves forbid one.
+Verdict verdict_of_equations(const Identification& found);
+
 /// Reads the logs and analyses every joint of the rig. Throws io::SpecError where what is read
 /// cannot be used.
 Identification identify(const std::vector<std::filesystem::path>& logs, const Rig& rig,

@@ -213,12 +213,17 @@ RobotStudy study_robot(const Rig& rig, const Log& log, const RobotModel& stated,
   const double before_rad = study.fit.rms_before_rad;
   study.fit = fit_values(log, model, all_values(rig, log, model), options);
   study.fit.rms_before_rad = before_rad;
+  tell_of(log, stated, alike, study);
+  return study;
+}
+
+void tell_of(const Log& log, const RobotModel& stated,
+             const std::vector<std::vector<std::size_t>>& alike, RobotStudy& study) {
   study.alike = compare_alike(log, study.fit, alike);
   study.load = load_errors(stated, study.fit);
   study.base = base_motion(log, study.fit.model);
   study.trade_offs = find_trade_offs(study.fit);
   tell_stated_gains(stated, study.fit);
-  return study;
 }
 
 }  // namespace torquewright::identification

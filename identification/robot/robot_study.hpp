@@ -33,4 +33,8 @@ RobotStudy study_robot(const Rig& rig, const Log& log, const RobotModel& stated,
                        const std::vector<std::vector<std::size_t>>& alike,
                        const std::function<void(double share)>& on_progress = {});
 
+/// What follows from a fit's values: sisters that differ, bodies, the base, what stands for what.
+void tell_of(const Log& log, const RobotModel& stated,
+             const std::vector<std::vector<std::size_t>>& alike, RobotStudy& study);
+
 }  // namespace torquewright::identification

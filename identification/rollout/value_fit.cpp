@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "identification/rollout/rollout.hpp"
+#include "identification/rollout/output_errors.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -14,51 +14,10 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kToldShare = 0.7;   ///< Of what was open before.
-constexpr double kFitStep_s = 2e-3;  ///< Of integration: slopes need no more.
-constexpr double kSlopeStep = 0.05;  ///< Of a value's size: events of sticking are averaged.
-constexpr double kFitWindow_s = 10.0;
+constexpr double kToldShare = 0.7;      ///< Of what was open before.
 constexpr double kLeastFitGain = 1e-3;  ///< Relative, of the squares; less ends the rounds.
 constexpr double kLeastPower = 1e-12;   ///< Of a value of which nothing is told.
-constexpr double kAlike = 0.05;         ///< A correlation that still counts.
 constexpr double kFirstDamping = 1e-3, kMostDamping = 1e6;
-
-/// Errors of one limb over all training windows, end to end.
-VectorXd errors_of(const Log& log, const RobotModel& model, const Limb& limb,
-                   const std::vector<Window>& windows) {
-  std::vector<double> all;
-  for (const Window& window : windows) {
-    const auto off = limb_errors_rad(model, limb, log.runs[window.run], window, kFitStep_s);
-    if (off.empty()) return {};
-    for (const std::vector<double>& each : off) all.insert(all.end(), each.begin(), each.end());
-  }
-  return Eigen::Map<const VectorXd>(all.data(), static_cast<Index>(all.size()));
-}
-
-std::vector<Window> training_windows(const Log& log, double most_s) {
-  std::vector<Window> training;
-  for (const Window& each : windows_of(log, kFitWindow_s)) {
-    if (!is_held_out(log, log.runs.head(each.run).name)) training.push_back(each);
-  }
-  return spread(training,
-                std::max<std::size_t>(1, static_cast<std::size_t>(most_s / kFitWindow_s)));
-}
-
-/// Samples over which what is left of one joint in one window stays alike: the sum of its
-/// correlations, apart from its mean.
-double correlated_samples(const VectorXd& whole) {
-  const VectorXd left = whole.array() - whole.mean();
-  const double square = left.squaredNorm();
-  if (!(square > 0.0)) return 1.0;
-  double sum = 1.0;
-  for (Index lag = 1; lag < left.size() / 4; ++lag) {
-    const Index n = left.size() - lag;
-    const double correlation = left.head(n).dot(left.tail(n)) / square;
-    if (correlation < kAlike) break;
-    sum += 2.0 * correlation;
-  }
-  return sum;
-}
 
 class Fit {
  public:
@@ -67,7 +26,7 @@ class Fit {
       : log_(log),
         free_(free),
         options_(options),
-        windows_(training_windows(log, options.most_simulated_s)),
+        windows_(fit_windows(log, options.most_simulated_s)),
         count_(static_cast<Index>(free.size())) {
     fit_.model = stated;
     stated_.resize(count_);
@@ -109,6 +68,9 @@ class Fit {
  private:
   static std::size_t at(Index k) { return static_cast<std::size_t>(k); }
 
+  /// Of a limb that is simulated, among all.
+  std::size_t place_of(std::size_t l) const { return options_.limb.value_or(l); }
+
   bool is_in(const Limb& limb, const FreeValue& value) const {
     return std::any_of(limb.joints.begin(), limb.joints.end(),
                        [&](std::size_t joint) { return value.is_of(joint); });
@@ -124,9 +86,10 @@ class Fit {
   std::vector<VectorXd> errors_with(const VectorXd& values) {
     const RobotModel model = with(values);
     limbs_ = limbs_of(model.load);
+    if (options_.limb) limbs_ = {limbs_[*options_.limb]};
     std::vector<VectorXd> errors;
     for (const Limb& limb : limbs_) {
-      errors.push_back(errors_of(log_, model, limb, windows_));
+      errors.push_back(output_errors_rad(log_, model, limb, windows_));
       if (errors.back().size() == 0) return {};
     }
     return errors;
@@ -144,22 +107,8 @@ class Fit {
     return std::sqrt(squares(errors) / count);
   }
 
-  /// One independent error of the usual size counts 1.
   void set_weights(const std::vector<VectorXd>& errors) {
-    double correlated = 0.0, count = 0.0;
-    for (std::size_t l = 0; l < errors.size(); ++l) {
-      Index from = 0;
-      for (const Window& window : windows_) {
-        const auto samples = static_cast<Index>(window.last - window.first + 1);
-        for (std::size_t joint = 0; joint < limbs_[l].joints.size(); ++joint, from += samples) {
-          correlated += correlated_samples(errors[l].segment(from, samples));
-          ++count;
-        }
-      }
-    }
-    correlated /= count;
-    const double size = rms(errors);
-    weight_ = size > 0.0 ? 1.0 / (size * size * correlated) : 1.0;
+    weight_ = weight_of(errors, limbs_, windows_);
   }
 
   double prior(Index k) const {
@@ -180,6 +129,7 @@ class Fit {
   bool find_slopes(const VectorXd& values, const std::vector<VectorXd>& errors) {
     power_ = MatrixXd::Zero(count_, count_);
     descent_ = VectorXd::Zero(count_);
+    const RobotModel model = with(values);
     for (std::size_t l = 0; l < limbs_.size(); ++l) {
       std::vector<Index> own;
       for (Index k = 0; k < count_; ++k) {
@@ -187,7 +137,8 @@ class Fit {
       }
       MatrixXd slopes(errors[l].size(), static_cast<Index>(own.size()));
       for (std::size_t i = 0; i < own.size(); ++i) {
-        const VectorXd slope = slope_of(values, own[i], l, errors[l]);
+        const VectorXd slope =
+            slope_of(log_, model, free_[at(own[i])], place_of(l), windows_, errors[l]);
         if (slope.size() == 0) return false;
         slopes.col(static_cast<Index>(i)) = slope;
       }
@@ -201,18 +152,6 @@ class Fit {
       }
     }
     return true;
-  }
-
-  VectorXd slope_of(const VectorXd& values, Index k, std::size_t limb, const VectorXd& errors) {
-    const FreeValue& which = free_[at(k)];
-    double step = kSlopeStep * which.size;
-    if (values[k] + step > which.highest) step = -step;
-    VectorXd moved = values;
-    moved[k] += step;
-    const RobotModel model = with(moved);
-    const VectorXd then = errors_of(log_, model, limbs_of(model.load)[limb], windows_);
-    if (then.size() == 0) return {};
-    return (then - errors) * (which.size / step);
   }
 
   /// Those at a bound that pushes them further stay.
@@ -265,6 +204,8 @@ class Fit {
   void finish(const VectorXd& values, const std::vector<VectorXd>& errors) {
     fit_.model = with(values);
     fit_.rms_after_rad = rms(errors);
+    fit_.weight = weight_;
+    fit_.cost = cost(errors, values) / weight_;
     if (!find_slopes(values, errors)) return;
     VectorXd sizes(count_);
     for (Index k = 0; k < count_; ++k) sizes[k] = free_[at(k)].size;

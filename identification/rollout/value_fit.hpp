@@ -30,6 +30,10 @@ struct ValueFit {
   std::vector<FittedValue> values;
   double rms_before_rad = 0.0, rms_after_rad = 0.0;  ///< On the training runs.
   std::size_t rounds = 0;
+  /// Squares that are left on the training runs, in rad^2, with what the values' distances from
+  /// where they are known to be are worth; and what one of them is worth in squared standard
+  /// errors.
+  double cost = 0.0, weight = 0.0;
   /// (values x values) What the runs alone say of the values, and the inverse of that with what was
   /// known before.
   Eigen::MatrixXd information, covariance;
@@ -40,6 +44,8 @@ struct ValueFitOptions {
   double most_simulated_s = 60.0;  ///< Of the training runs, in one round of one set of values.
   /// Where the values begin, if not where they are stated.
   std::optional<RobotModel> begin;
+  /// Only this limb is simulated, and only its values may be free; nothing: all.
+  std::optional<std::size_t> limb = {};
   std::function<void(double share)> on_progress;
 };
 

@@ -118,6 +118,7 @@ IdentifyFound compute(const IdentifyRequest& request, const IdentifyInputs& inpu
     known.rig.controllers.assign(controllers.begin(), controllers.end());
   }
   found.identification = identification_of(request, known);
+  study = judged_by_simulation(request, inputs, std::move(study), found.identification);
   found.refined = refined_actuators(known, found.identification);
   if (!inputs.refined.empty() || !request.as.empty())
     judge_as_written(request, known, found.identification, found.refined);

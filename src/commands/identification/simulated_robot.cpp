@@ -9,6 +9,7 @@
 
 #include "identification/reading/read_log.hpp"
 #include "identification/robot/fitted_actuator_json.hpp"
+#include "identification/robot/simulated_names.hpp"
 #include "identification/rollout/servo_start.hpp"
 #include "io/faults/json_text.hpp"
 #include "io/text/wording.hpp"
@@ -151,6 +152,29 @@ std::optional<RobotStudy> study_of_gains(const IdentifyRequest& request,
   return study;
 }
 
+std::optional<RobotStudy> judged_by_simulation(const IdentifyRequest& request,
+                                               const IdentifyInputs& inputs,
+                                               std::optional<RobotStudy> study,
+                                               identification::Identification& found) {
+  if (!request.select || !identification::can_roll_out(inputs.rig)) return std::nullopt;
+  const Log log = log_of(request, inputs);
+  report::ProgressLine progress;
+  if (!study) study = study_of(inputs, log, progress);
+  if (study->fit.values.empty()) return std::nullopt;
+  identification::AnalysisOptions options;
+  options.only = request.only;
+  options.without = request.without;
+  const RobotModel stated = model_of(inputs, nullptr);
+  const auto& joints = inputs.rig.joints;
+  const identification::SimulatedSearch search = identification::search_by_simulation(
+      log, stated, identification::named_by_equations(found.equations, joints, stated),
+      alike_joints(inputs), [&](const std::string& effect) { return options.asks(effect); }, *study,
+      shown(progress, "searching by simulation"));
+  identification::judge_names(search, *study, joints, found.equations);
+  found.verdict = identification::verdict_of_equations(found);
+  return study;
+}
+
 std::string not_simulated_sentence(const IdentifyInputs& inputs) {
   const identification::Rig& rig = inputs.rig;
   if (rig.load.type != identification::LoadType::kRobot || identification::can_roll_out(rig)) {
@@ -190,12 +214,8 @@ std::optional<report::RobotReport> simulated_robot(const IdentifyRequest& reques
     robot.errors.is_refined = true;
     robot.disagreements = disagreements_of(inputs, found, robot.errors.before, robot.errors.after);
   }
-  if (!request.select) return robot;
-  robot.study = study ? std::move(*study) : study_of(inputs, log, progress);
-  if (robot.study->fit.values.empty()) {
-    robot.study.reset();
-    return robot;
-  }
+  if (!study) return robot;
+  robot.study = std::move(study);
   identification::SimulatedErrors errors = robot.errors;
   errors.after = identification::robot_errors(log, robot.study->fit.model,
                                               show("simulating the robot as fitted"));

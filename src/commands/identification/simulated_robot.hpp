@@ -28,6 +28,13 @@ void begin_gains(const IdentifyRequest& request, IdentifyInputs& inputs);
 std::optional<identification::RobotStudy> study_of_gains(const IdentifyRequest& request,
                                                          const IdentifyInputs& inputs);
 
+/// Searches by simulation for what the drives lack, beside the study of gains or a study of its
+/// own, and lets it judge what the balances of torques named. Nothing where the robot is not
+/// simulated, or no value of it could be fitted.
+std::optional<identification::RobotStudy> judged_by_simulation(
+    const IdentifyRequest& request, const IdentifyInputs& inputs,
+    std::optional<identification::RobotStudy> study, identification::Identification& found);
+
 /// Simulates the rig's robot under its own controllers with the actuators as stated, with what the
 /// balance of torques found, and with values fitted by simulation on the runs that were not held
 /// out. Where these leave the least on the runs that were, they take the place of what was found in

@@ -11,6 +11,7 @@
 #include <memory>
 #include <numbers>
 
+#include "actuator/effects/library.hpp"
 #include "identification/answer/identify.hpp"
 #include "identification/answer/parameters_json.hpp"
 #include "identification/reading/read_log.hpp"
@@ -18,6 +19,7 @@
 #include "identification/robot/fitted_robot_json.hpp"
 #include "identification/robot/robot_output.hpp"
 #include "identification/robot/robot_study.hpp"
+#include "identification/robot/simulated_names.hpp"
 #include "identification/rollout/rollout.hpp"
 #include "identification/rollout/servo_start.hpp"
 #include "io/documents/document.hpp"
@@ -39,15 +41,19 @@ struct Deleter {
 struct Beyond {
   double calf_kg = 0.3;   ///< Its mass; centre and inertia stay.
   double rises_Nm = 0.0;  ///< The calf's dry friction has this much times sin(angle) more.
+  /// A spring beside the thigh's drive, relaxed at 0.4 rad.
+  double spring_Nm_rad = 0.0;
 };
+
+constexpr double kRelaxed_rad = 0.4, kRelaxed_deg = kRelaxed_rad * 180.0 / std::numbers::pi;
 
 /// The leg of leg.hpp in the engine's own words.
 std::string leg_mjcf(const std::vector<LegJoint>& joints, const Beyond& beyond) {
   const auto joint = [&](std::size_t i, const char* axis) {
     return fmt::format(
-        R"(<joint name="{}" axis="{}" armature="{}" damping="{}" frictionloss="{}"/>)",
+        R"(<joint name="{}" axis="{}" armature="{}" damping="{}" frictionloss="{}" stiffness="{}" springref="{}"/>)",
         test::kLegJoints[i], axis, joints[i].armature_kg_m2, joints[i].damping_Nm_s_rad,
-        joints[i].friction_Nm);
+        joints[i].friction_Nm, i == 1 ? beyond.spring_Nm_rad : 0.0, kRelaxed_deg);
   };
   return fmt::format(
       R"(<mujoco><option timestep="0.0005" integrator="implicit"/><worldbody>
@@ -279,6 +285,84 @@ TEST(RobotValues, ABodyThatWeighsMoreIsNamedWithWhatLooksLikeIt) {
   ASSERT_EQ(study.load.limbs.size(), 1u);
   EXPECT_EQ(study.load.limbs[0].of, 12u);
   EXPECT_LT(study.load.limbs[0].told, 12u);
+}
+
+const auto kAnyEffect = [](const std::string&) { return true; };
+
+// Oracle: MuJoCo's leg, whose thigh has a spring that no document states, and another friction. The
+// joint's friction is no effect of its own: it is a number of every fit.
+TEST(SimulatedSearch, FindsASpringAtItsJointAndNothingElse) {
+  std::vector<LegJoint> truth = kStated;
+  truth[1].friction_Nm = 0.2;
+  const Read read = read_leg(kStated, truth, {0.3, 0.0, 2.0});
+  RobotStudy study = study_robot(read.rig, read.log, read.model, {});
+  const SimulatedSearch search =
+      search_by_simulation(read.log, read.model, NamedByJoint(3), {}, kAnyEffect, study);
+  ASSERT_EQ(search.found.size(), 1u);
+  const SimulatedEffect& spring = search.found.front();
+  EXPECT_EQ(spring.joint, 1u);
+  EXPECT_EQ(spring.effect.kind->name, "parallel_spring");
+  EXPECT_TRUE(spring.rivals.empty());
+  EXPECT_LT(spring.after_rad, 0.2 * spring.before_rad);
+  ASSERT_EQ(spring.values.size(), 2u);
+  EXPECT_NEAR(spring.values[0].value, 2.0, 4.0 * spring.values[0].standard_error + 0.02);
+  EXPECT_NEAR(spring.values[1].value, kRelaxed_rad, 4.0 * spring.values[1].standard_error + 0.02);
+  const FittedValue& friction = fitted(study.fit, 1, "coulomb_Nm");
+  EXPECT_NEAR(friction.value, 0.2, 4.0 * friction.standard_error + 0.02);
+}
+
+// Oracle: MuJoCo's leg as its document states it.
+TEST(SimulatedSearch, FindsNothingWhereNothingIsMissing) {
+  const Read read = read_leg(kStated, kStated);
+  RobotStudy study = study_robot(read.rig, read.log, read.model, {});
+  const SimulatedSearch search =
+      search_by_simulation(read.log, read.model, NamedByJoint(3), {}, kAnyEffect, study);
+  EXPECT_TRUE(search.found.empty())
+      << search.found.front().effect.kind->name << " " << search.found.front().sigmas;
+  for (const auto& names : search.tried) EXPECT_FALSE(names.empty());
+}
+
+NamedEffect named_lag(double time_constant_s) {
+  NamedEffect lag;
+  lag.effect = "torque_lag";
+  lag.parameters.numbers = {{"time_constant_s", time_constant_s}};
+  return lag;
+}
+
+// A balance of torques that names a lag, and misses the spring that a simulation found: the lag was
+// tried there and is rejected, the spring is named with its numbers.
+TEST(SimulatedSearch, JudgesWhatABalanceOfTorquesNamed) {
+  EquationResult balance;
+  balance.joint = "thigh_joint";
+  balance.unit = "Nm";
+  balance.is_noise_after = true;
+  balance.added = {named_lag(0.01)};
+  balance.confounded = {{{"torque_lag", "viscous_friction"}, false, "", ""}};
+  SimulatedEffect spring;
+  spring.joint = 1;
+  spring.effect = actuator::neutral(*actuator::find_effect("parallel_spring"));
+  FreeValue stiffness;
+  stiffness.name = "stiffness_Nm_rad";
+  spring.values = {{stiffness, 0.0, 2.0, 0.1, false, false}};
+  spring.sigmas = 40.0;
+  SimulatedSearch search{{spring}, {{}, {"torque_lag", "parallel_spring"}, {}}};
+  const std::vector<std::string>& joints = test::kLegJoints;
+  std::vector<EquationResult> equations = {balance};
+  judge_names(search, {}, joints, equations);
+  ASSERT_EQ(equations[0].added.size(), 1u);
+  EXPECT_EQ(equations[0].added[0].effect, "parallel_spring");
+  EXPECT_EQ(equations[0].added[0].parameters.value("stiffness_Nm_rad", 0.0), 2.0);
+  EXPECT_TRUE(is_certain(equations[0], "parallel_spring"));
+  EXPECT_TRUE(equations[0].confounded.empty());
+  ASSERT_EQ(equations[0].rejected.size(), 1u);
+  EXPECT_EQ(equations[0].rejected[0].effect, "torque_lag");
+  EXPECT_EQ(equations[0].verdict, Verdict::kExplained);
+  // Where another law follows as well, both are said.
+  search.found[0].rivals = {"upper_end_stop"};
+  equations = {balance};
+  judge_names(search, {}, joints, equations);
+  EXPECT_FALSE(is_certain(equations[0], "parallel_spring"));
+  EXPECT_EQ(equations[0].verdict, Verdict::kCannotTell);
 }
 
 // Oracle: MuJoCo's own motion. Where the documents are right the simulation stays at it to some

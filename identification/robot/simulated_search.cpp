@@ -1,0 +1,539 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "identification/robot/simulated_search.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+
+#include "identification/robot/simulated_candidates.hpp"
+#include "identification/rollout/output_errors.hpp"
+
+namespace torquewright::identification {
+namespace {
+
+using actuator::Effect;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Of = FreeValue::Of;
+
+constexpr double kFound = 25.0;  ///< Squared standard errors.
+constexpr double kTried = 1.0;
+constexpr double kAsGood = 9.0;
+constexpr std::size_t kRounds = 3, kTrialRounds = 4;
+constexpr double kLeastGain = 1e-3;  ///< Relative, of the squares; less ends the rounds.
+constexpr double kDampings[] = {1e-3, 1e-1, 1e1, 1e3};
+constexpr std::size_t kMostFitted = 5;  ///< Candidates of one step that are fitted.
+constexpr std::size_t kMostOfLimb = 3;
+constexpr double kMost_s = 20.0;  ///< Of each of the two parts of the log.
+
+/// One effect of one joint, with its numbers and those beside it fitted by slopes of the latter
+/// that were taken without it.
+struct Trial {
+  std::size_t joint = 0;
+  Effect effect;
+  RobotModel model;
+  VectorXd errors;
+  double cost = 0.0;        ///< As that of a ValueFit.
+  std::size_t numbers = 0;  ///< That are free in it.
+};
+
+bool is_contained(const Effect& effect, const FreeValue& value) {
+  const auto& contains = effect.kind->contains;
+  return value.effect == effect.kind->name ||
+         std::find(contains.begin(), contains.end(), value.effect) != contains.end();
+}
+
+/// The numbers that are free beside an effect: those of the laws in whose place it is are not.
+std::vector<FreeValue> values_with(std::vector<FreeValue> values, const Effect& effect,
+                                   std::size_t joint, const actuator::Ranges& ranges) {
+  std::erase_if(values, [&](const FreeValue& each) {
+    return !each.is_of_all() && each.joint == joint && is_contained(effect, each);
+  });
+  for (FreeValue& each : values_of_effect(effect, joint, ranges)) values.push_back(std::move(each));
+  return values;
+}
+
+const Effect& effect_in(const RobotModel& model, std::size_t joint, std::string_view name) {
+  const auto& effects = model.drives[joint].effects;
+  return *std::find_if(effects.begin(), effects.end(),
+                       [&](const Effect& each) { return each.kind->name == name; });
+}
+
+/// Whether the one law becomes the other at some of its parameters.
+bool becomes(const Effect& law, const Effect& other) {
+  const auto holds = [&](const auto& names) {
+    return std::find(names.begin(), names.end(), other.kind->name) != names.end();
+  };
+  return holds(law.kind->contains) || holds(law.kind->tends_to);
+}
+
+class LimbSearch {
+ public:
+  LimbSearch(const Log& log, const RobotModel& stated, const RobotModel& begin, std::size_t limb,
+             std::vector<FreeValue> values, const NamedByJoint& named,
+             const std::function<bool(const std::string&)>& asks)
+      : log_(log),
+        stated_(stated),
+        limb_(limb),
+        of_limb_(limbs_of(stated.load)[limb]),
+        values_(std::move(values)),
+        named_(named),
+        asks_(asks),
+        training_(fit_windows(log, kMost_s)),
+        held_out_(fit_windows(log, kMost_s, true)) {
+    for (std::size_t joint = 0; joint < stated.drives.size(); ++joint)
+      ranges_.push_back(ranges_of_joint(log, stated, joint));
+    fit_ = fitted_already(begin);
+  }
+
+  /// Fits the limb's values anew, where the model that was given is no fit of them.
+  void fit_again() {
+    const RobotModel begin = fit_.model;
+    fit_ = fitted(stated_, begin, values_);
+  }
+
+  void run(SimulatedSearch& search) {
+    for (std::size_t step = 0; step < kMostOfLimb && fit_.weight > 0.0; ++step) {
+      std::vector<Trial> trials = fitted_trials(search);
+      std::erase_if(trials, [&](const Trial& each) { return !follows_better(each); });
+      if (trials.empty()) return;
+      const Trial& best = simplest_of_best(trials);
+      const std::size_t joint = best.joint;
+      std::vector<FreeValue> values = values_with(values_, best.effect, joint, ranges_[joint]);
+      RobotModel stated = stated_;
+      stated.drives[joint] = with_effect(stated.drives[joint], best.effect);
+      ValueFit fit = fitted(stated, best.model, values);
+      if (fit.values.empty()) return;
+      search.found.push_back(found(best, trials, fit));
+      values_ = std::move(values);
+      stated_ = std::move(stated);
+      fit_ = std::move(fit);
+    }
+  }
+
+  const RobotModel& stated() const { return stated_; }
+  const ValueFit& fit() const { return fit_; }
+  const std::vector<FreeValue>& values() const { return values_; }
+  const Limb& limb() const { return of_limb_; }
+
+ private:
+  /// What a fit whose values the model holds leaves; of no weight where it grows without bound.
+  ValueFit fitted_already(const RobotModel& model) const {
+    ValueFit fit;
+    fit.model = model;
+    const VectorXd errors = output_errors_rad(log_, model, of_limb_, training_);
+    if (training_.empty() || errors.size() == 0) return fit;
+    fit.weight = weight_of({errors}, {of_limb_}, training_);
+    fit.cost = cost_of(model, values_, errors, fit.weight);
+    return fit;
+  }
+
+  ValueFit fitted(const RobotModel& stated, const RobotModel& begin,
+                  const std::vector<FreeValue>& values) const {
+    ValueFitOptions options;
+    options.begin = begin;
+    options.limb = limb_;
+    options.most_rounds = kRounds;
+    options.most_simulated_s = kMost_s;
+    return fit_values(log_, stated, values, options);
+  }
+
+  /// The errors' slopes by the limb's values, and what solves for them.
+  struct Slopes {
+    VectorXd errors;
+    MatrixXd by_value;
+    Eigen::LDLT<MatrixXd> power;
+  };
+
+  std::optional<Slopes> slopes() const {
+    Slopes all{output_errors_rad(log_, fit_.model, of_limb_, training_), {}, {}};
+    all.by_value.resize(all.errors.size(), static_cast<Index>(values_.size()));
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      const VectorXd slope = slope_of(log_, fit_.model, values_[k], limb_, training_, all.errors);
+      if (slope.size() == 0) return std::nullopt;
+      all.by_value.col(static_cast<Index>(k)) = slope;
+    }
+    MatrixXd power = all.by_value.transpose() * all.by_value;
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      const double known = values_[k].size / values_[k].deviation;  // 0 where nothing is known
+      const auto i = static_cast<Index>(k);
+      power(i, i) += known * known / fit_.weight + 1e-9 * (1e-12 + power(i, i));
+    }
+    all.power.compute(power);
+    return all;
+  }
+
+  /// How the errors change with a candidate: by each of its amplitudes, or by all of it where it
+  /// acts as it stands. Empty where a simulation grows without bound.
+  MatrixXd changes_by(const SimulatedCandidate& candidate, const VectorXd& errors) const {
+    RobotModel model = fit_.model;
+    model.drives[candidate.joint] = with_effect(model.drives[candidate.joint], candidate.effect);
+    std::vector<VectorXd> columns;
+    if (!candidate.is_nothing) {
+      columns.push_back(output_errors_rad(log_, model, of_limb_, training_));
+      if (columns.back().size() > 0) columns.back() -= errors;
+    } else {
+      for (const FreeValue& each :
+           values_of_effect(candidate.effect, candidate.joint, ranges_[candidate.joint])) {
+        if (is_amplitude(candidate.effect, each))
+          columns.push_back(slope_of(log_, model, each, limb_, training_, errors));
+      }
+    }
+    MatrixXd all(errors.size(), static_cast<Index>(columns.size()));
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (columns[k].size() == 0) return {};
+      all.col(static_cast<Index>(k)) = columns[k];
+    }
+    return all;
+  }
+
+  /// Squared standard errors that a candidate would take of what is left, beside all values, were
+  /// all of it linear; 0 where it would have to act the other way round.
+  double linear_share(const Slopes& beside, const SimulatedCandidate& candidate) const {
+    const MatrixXd own = changes_by(candidate, beside.errors);
+    if (own.cols() == 0) return 0.0;
+    const MatrixXd between = beside.by_value.transpose() * own;
+    const MatrixXd taken = beside.power.solve(between);
+    MatrixXd power = own.transpose() * own - between.transpose() * taken;
+    const VectorXd pull = own.transpose() * beside.errors -
+                          taken.transpose() * (beside.by_value.transpose() * beside.errors);
+    const MatrixXd before = own.transpose() * own;
+    for (Index k = 0; k < power.rows(); ++k) power(k, k) += 1e-6 * before(k, k) + 1e-30;
+    const VectorXd change = -power.ldlt().solve(pull);
+    if (!candidate.is_nothing && change[0] < 0.0) return 0.0;
+    return -fit_.weight * pull.dot(change);
+  }
+
+  std::vector<SimulatedCandidate> candidates() const {
+    std::vector<SimulatedCandidate> all;
+    const std::vector<bool> is_free = joints_with_values();
+    for (const std::size_t joint : of_limb_.joints) {
+      if (!is_free[joint]) continue;
+      for (SimulatedCandidate& each : simulated_candidates(log_, fit_.model, joint, asks_))
+        all.push_back(std::move(each));
+    }
+    return all;
+  }
+
+  std::vector<bool> joints_with_values() const {
+    std::vector<bool> is_free(stated_.drives.size(), false);
+    for (const FreeValue& each : values_) {
+      if (!each.is_of_all()) is_free[each.joint] = true;
+    }
+    return is_free;
+  }
+
+  double known_power(const FreeValue& value) const {
+    return 1.0 / (value.deviation * value.deviation * fit_.weight);  // 0 where nothing is known
+  }
+
+  double cost_of(const RobotModel& model, const std::vector<FreeValue>& values,
+                 const VectorXd& errors, double weight) const {
+    double known = 0.0;
+    for (const FreeValue& each : values) {
+      if (!std::isfinite(each.deviation)) continue;
+      const double off = (value_in(model, each) - value_in(stated_, each)) / each.deviation;
+      known += off * off;
+    }
+    return errors.squaredNorm() + known / weight;
+  }
+
+  /// A change of all numbers, in their sizes, that the slopes ask for.
+  VectorXd step_of(const Trial& trial, const std::vector<FreeValue>& values, const MatrixXd& slopes,
+                   double damping) const {
+    MatrixXd power = slopes.transpose() * slopes;
+    VectorXd pull = slopes.transpose() * trial.errors;
+    for (std::size_t k = 0; k < values.size(); ++k) {
+      const auto i = static_cast<Index>(k);
+      if (std::isfinite(values[k].deviation)) {
+        const double size = values[k].size;
+        const double off = value_in(trial.model, values[k]) - value_in(stated_, values[k]);
+        power(i, i) += known_power(values[k]) * size * size;
+        pull[i] += known_power(values[k]) * size * off;
+      }
+      power(i, i) *= 1.0 + damping;
+      power(i, i) += 1e-9 * power(i, i) + 1e-30;
+    }
+    return -power.ldlt().solve(pull);
+  }
+
+  /// The first step of the dampings that lowers the cost; false if none does.
+  bool improve(Trial& trial, const std::vector<FreeValue>& values, const MatrixXd& slopes) const {
+    for (const double damping : kDampings) {
+      const VectorXd step = step_of(trial, values, slopes, damping);
+      RobotModel model = trial.model;
+      for (std::size_t k = 0; k < values.size(); ++k) {
+        const double moved =
+            value_in(model, values[k]) + values[k].size * step[static_cast<Index>(k)];
+        set_value(model, values[k], std::clamp(moved, values[k].lowest, values[k].highest));
+      }
+      VectorXd errors = output_errors_rad(log_, model, of_limb_, training_);
+      if (errors.size() == 0) continue;
+      const double cost = cost_of(model, values, errors, fit_.weight);
+      if (!(cost < trial.cost)) continue;
+      trial.model = std::move(model);
+      trial.errors = std::move(errors);
+      trial.cost = cost;
+      return true;
+    }
+    return false;
+  }
+
+  std::optional<Trial> fitted_trial(const Slopes& beside, std::size_t joint,
+                                    const Effect& effect) const {
+    Trial trial{joint, effect, fit_.model, {}, 0.0, 0};
+    trial.model.drives[joint] = with_effect(trial.model.drives[joint], effect);
+    trial.errors = output_errors_rad(log_, trial.model, of_limb_, training_);
+    if (trial.errors.size() == 0) return std::nullopt;
+    std::vector<FreeValue> values;
+    std::vector<Index> columns;
+    for (std::size_t k = 0; k < values_.size(); ++k) {
+      const FreeValue& each = values_[k];
+      if (!each.is_of_all() && each.joint == joint && is_contained(effect, each)) continue;
+      values.push_back(each);
+      columns.push_back(static_cast<Index>(k));
+    }
+    const std::size_t others = values.size();
+    for (FreeValue& each : values_of_effect(effect, joint, ranges_[joint]))
+      values.push_back(std::move(each));
+    trial.numbers = values.size();
+    trial.cost = cost_of(trial.model, values, trial.errors, fit_.weight);
+    MatrixXd slopes(trial.errors.size(), static_cast<Index>(values.size()));
+    slopes.leftCols(static_cast<Index>(others)) = beside.by_value(Eigen::all, columns);
+    for (std::size_t round = 0; round < kTrialRounds; ++round) {
+      for (std::size_t k = others; k < values.size(); ++k) {
+        const VectorXd slope =
+            slope_of(log_, trial.model, values[k], limb_, training_, trial.errors);
+        if (slope.size() == 0) return std::nullopt;
+        slopes.col(static_cast<Index>(k)) = slope;
+      }
+      const double before = trial.cost;
+      if (!improve(trial, values, slopes) || before - trial.cost < kLeastGain * before) break;
+    }
+    trial.effect = effect_in(trial.model, joint, effect.kind->name);
+    if (!is_possible(trial.effect)) return std::nullopt;
+    return trial;
+  }
+
+  /// The best few by slopes, each effect of a joint once, and what the balance of torques named.
+  std::vector<Trial> fitted_trials(SimulatedSearch& search) const {
+    const std::optional<Slopes> beside = slopes();
+    if (!beside) return {};
+    std::vector<std::pair<double, SimulatedCandidate>> ranked;
+    for (SimulatedCandidate& each : candidates()) {
+      search.tried[each.joint].emplace_back(each.effect.kind->name);
+      const double share = linear_share(*beside, each);
+      // What is missing makes what is left look like noise of its own size: little counts already.
+      if (share > kTried) ranked.emplace_back(share, std::move(each));
+    }
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [](const auto& a, const auto& b) { return a.first > b.first; });
+    std::set<std::pair<std::size_t, std::string_view>> is_there;
+    std::vector<Trial> trials;
+    for (const auto& [share, each] : ranked) {
+      if (is_there.size() == kMostFitted) break;
+      if (!is_there.insert({each.joint, each.effect.kind->name}).second) continue;
+      if (auto trial = fitted_trial(*beside, each.joint, each.effect))
+        trials.push_back(std::move(*trial));
+    }
+    for (const std::size_t joint : of_limb_.joints) {
+      for (const Effect& effect : named_[joint]) add_named(*beside, joint, effect, search, trials);
+    }
+    return trials;
+  }
+
+  void add_named(const Slopes& beside, std::size_t joint, const Effect& effect,
+                 SimulatedSearch& search, std::vector<Trial>& trials) const {
+    const auto& own = fit_.model.drives[joint].effects;
+    const bool is_there = std::any_of(own.begin(), own.end(),
+                                      [&](const Effect& each) { return each.kind == effect.kind; });
+    if (is_there) return;
+    search.tried[joint].emplace_back(effect.kind->name);
+    if (auto trial = fitted_trial(beside, joint, effect)) trials.push_back(std::move(*trial));
+  }
+
+  /// What squares are worth where a trial's errors are noise.
+  double weight_of_trial(const Trial& trial) const {
+    return weight_of({trial.errors}, {of_limb_}, training_);
+  }
+
+  double gained(const Trial& trial) const {
+    return (fit_.cost - trial.cost) * weight_of_trial(trial);
+  }
+
+  /// On the training runs beyond chance, and on those that were held out at all.
+  bool follows_better(const Trial& trial) const {
+    if (!(gained(trial) > kFound)) return false;
+    if (held_out_.empty()) return true;
+    const VectorXd before = output_errors_rad(log_, fit_.model, of_limb_, held_out_);
+    const VectorXd after = output_errors_rad(log_, trial.model, of_limb_, held_out_);
+    return after.size() > 0 && (before.size() == 0 || after.squaredNorm() < before.squaredNorm());
+  }
+
+  /// Of those that follow as well as the best, the one with the fewest numbers.
+  const Trial& simplest_of_best(const std::vector<Trial>& trials) const {
+    const Trial* best = &trials.front();
+    for (const Trial& each : trials) {
+      if (each.cost < best->cost) best = &each;
+    }
+    const Trial* simplest = best;
+    for (const Trial& each : trials) {
+      if (follows_as_well(each, *best) && each.numbers < simplest->numbers) simplest = &each;
+    }
+    return *simplest;
+  }
+
+  bool follows_as_well(const Trial& one, const Trial& best) const {
+    return (one.cost - best.cost) * weight_of_trial(best) < kAsGood;
+  }
+
+  SimulatedEffect found(const Trial& best, const std::vector<Trial>& trials,
+                        const ValueFit& fit) const {
+    SimulatedEffect one;
+    one.joint = best.joint;
+    one.effect = effect_in(fit.model, best.joint, best.effect.kind->name);
+    one.sigmas = std::sqrt(std::max(0.0, (fit_.cost - fit.cost) * fit.weight));
+    for (const FittedValue& each : fit.values) {
+      const bool is_own = !each.which.is_of_all() && each.which.joint == best.joint &&
+                          each.which.effect == best.effect.kind->name;
+      if (is_own) one.values.push_back(each);
+    }
+    for (const Trial& each : trials) {
+      const bool is_other = each.joint == best.joint && each.effect.kind != best.effect.kind;
+      if (is_other && follows_as_well(each, best) && !becomes(each.effect, best.effect))
+        one.rivals.emplace_back(each.effect.kind->name);
+    }
+    one.before_rad = held_out_rad(fit_.model, best.joint);
+    one.after_rad = held_out_rad(fit.model, best.joint);
+    return one;
+  }
+
+  double held_out_rad(const RobotModel& model, std::size_t joint) const {
+    const VectorXd errors = output_errors_rad(log_, model, of_limb_, held_out_);
+    double squares = 0.0, count = 0.0;
+    Index from = 0;
+    for (const Window& window : held_out_) {
+      const auto samples = static_cast<Index>(window.last - window.first + 1);
+      for (const std::size_t each : of_limb_.joints) {
+        if (errors.size() > 0 && each == joint) {
+          squares += errors.segment(from, samples).squaredNorm();
+          count += static_cast<double>(samples);
+        }
+        from += samples;
+      }
+    }
+    return count > 0.0 ? std::sqrt(squares / count) : 0.0;
+  }
+
+  const Log& log_;
+  RobotModel stated_;
+  std::size_t limb_;
+  Limb of_limb_;
+  std::vector<FreeValue> values_;
+  const NamedByJoint& named_;
+  const std::function<bool(const std::string&)>& asks_;
+  std::vector<Window> training_, held_out_;
+  std::vector<actuator::Ranges> ranges_;
+  ValueFit fit_;
+};
+
+/// The study's values without the waves of friction that it found: they are candidates.
+std::vector<FreeValue> values_of(const RobotStudy& study, const RobotModel& stated) {
+  std::vector<FreeValue> values;
+  for (const FittedValue& each : study.fit.values) {
+    const bool is_wave = each.which.of == Of::kWave;
+    if (is_wave && !has_wave_of_friction(stated.drives[each.which.joint])) continue;
+    values.push_back(each.which);
+  }
+  return values;
+}
+
+/// As stated, with plain friction, and with what all limbs have in common as it was fitted.
+RobotModel centre_of(const RobotModel& stated, const RobotStudy& study) {
+  RobotModel centre = stated;
+  add_plain_friction(centre);
+  centre.controllers = study.fit.model.controllers;
+  return centre;
+}
+
+RobotModel without_found_waves(RobotModel model, const RobotModel& stated) {
+  for (std::size_t joint = 0; joint < model.drives.size(); ++joint) {
+    if (!has_wave_of_friction(stated.drives[joint])) erase_waves_of_friction(model.drives[joint]);
+  }
+  return model;
+}
+
+}  // namespace
+
+SimulatedSearch search_by_simulation(const Log& log, const RobotModel& stated,
+                                     const NamedByJoint& named,
+                                     const std::vector<std::vector<std::size_t>>& alike,
+                                     const std::function<bool(const std::string&)>& asks,
+                                     RobotStudy& study,
+                                     const std::function<void(double share)>& on_progress) {
+  SimulatedSearch search;
+  search.tried.resize(stated.drives.size());
+  if (study.fit.values.empty()) return search;
+  const std::vector<FreeValue> all = values_of(study, stated);
+  const std::vector<Limb> limbs = limbs_of(stated.load);
+  RobotModel centre = centre_of(stated, study);
+  RobotModel begin = without_found_waves(study.fit.model, stated);
+  std::vector<FreeValue> values;
+  for (const FreeValue& each : all) {
+    if (each.is_of_all()) values.push_back(each);
+  }
+  const RobotModel common = begin;
+  RobotModel of_limbs = centre;
+  for (const FreeValue& each : all) {
+    if (each.is_of_all() && limbs.size() > 1) set_value(of_limbs, each, value_in(common, each));
+  }
+  for (std::size_t limb = 0; limb < limbs.size(); ++limb) {
+    std::vector<FreeValue> own;
+    for (const FreeValue& each : all) {
+      const bool is_own =
+          !each.is_of_all() && std::find(limbs[limb].joints.begin(), limbs[limb].joints.end(),
+                                         each.joint) != limbs[limb].joints.end();
+      if (is_own || (each.is_of_all() && limbs.size() == 1)) own.push_back(each);
+    }
+    if (!own.empty()) {
+      LimbSearch of_limb(log, of_limbs, common, limb, own, named, asks);
+      const bool had_waves =
+          std::any_of(limbs[limb].joints.begin(), limbs[limb].joints.end(), [&](std::size_t joint) {
+            return study.varies[joint] && !has_wave_of_friction(stated.drives[joint]);
+          });
+      if (had_waves) of_limb.fit_again();
+      of_limb.run(search);
+      for (const FreeValue& each : of_limb.values()) {
+        if (!each.is_of_all()) values.push_back(each);
+      }
+      for (const std::size_t joint : limbs[limb].joints) {
+        centre.drives[joint] = of_limb.stated().drives[joint];
+        begin.drives[joint] = of_limb.fit().model.drives[joint];
+      }
+      if (limbs.size() == 1) begin = of_limb.fit().model;
+    }
+    if (on_progress)
+      on_progress(0.8 * static_cast<double>(limb + 1) / static_cast<double>(limbs.size()));
+  }
+  if (search.found.empty()) return search;
+  ValueFitOptions options;
+  options.begin = begin;
+  options.most_rounds = kRounds;
+  options.most_simulated_s = kMost_s;
+  options.on_progress = [&](double share) {
+    if (on_progress) on_progress(0.8 + 0.2 * share);
+  };
+  ValueFit fit = fit_values(log, centre, values, options);
+  if (fit.values.empty()) return search;
+  fit.rms_before_rad = study.fit.rms_before_rad;
+  study.fit = std::move(fit);
+  for (std::size_t joint = 0; joint < study.varies.size(); ++joint)
+    study.varies[joint] = has_wave_of_friction(study.fit.model.drives[joint]);
+  tell_of(log, stated, alike, study);
+  return search;
+}
+
+}  // namespace torquewright::identification
