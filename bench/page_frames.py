@@ -8,7 +8,9 @@ Chromium.
 A frame is the page's own work from a step of the cursor to the picture's last call of WebGL: charts
 and values, bodies, forces, shadows, and what three.js does to hand them over. Where no graphics
 card is, the processor would draw; so the calls that draw (drawElements, drawArrays) return at once,
-and the figure is of the script alone. The second row has them drawn, by whatever is there.
+and the figure is of the script alone. The second row has them drawn, by whatever is there. The
+first columns are processor time of the page's thread, which other programs do not lengthen: script,
+styles and layout, and all that the thread does, painting and the handing over of pictures included.
 """
 import argparse
 import json
@@ -130,47 +132,65 @@ class Browser:
         self.process.wait()
 
 
+LINK_M = 0.12
+FOOT_M = 0.02
+
+
 def robot(bodies):
-    """A trunk with four legs as alike as the count allows, in URDF."""
+    """A trunk on four legs as alike as the count allows, in URDF. The last link of each has a foot."""
     lines = ['<robot name="many">']
 
-    def link(name):
+    def link(name, foot):
+        shape = (f'<collision><origin xyz="0 0 {-LINK_M}"/><geometry><sphere radius="{FOOT_M}"/>'
+                 '</geometry></collision>') if foot else ""
         lines.append(
-            f'<link name="{name}"><inertial><origin xyz="0 0 -0.06"/><mass value="0.5"/><inertia '
-            'ixx="1e-3" iyy="1e-3" izz="1e-3" ixy="0" ixz="0" iyz="0"/></inertial></link>')
+            f'<link name="{name}"><inertial><origin xyz="0 0 {-LINK_M / 2}"/><mass value="0.5"/>'
+            '<inertia ixx="1e-3" iyy="1e-3" izz="1e-3" ixy="0" ixz="0" iyz="0"/></inertial>'
+            f"{shape}</link>")
 
-    link("trunk")
-    joints = []
-    for i in range(bodies - 1):
-        leg, depth = i % 4, i // 4
-        parent = "trunk" if depth == 0 else f"link_{leg}_{depth - 1}"
-        place = f"{0.2 if leg < 2 else -0.2} {0.12 if leg % 2 else -0.12} 0"
-        name = f"joint_{leg}_{depth}"
-        link(f"link_{leg}_{depth}")
-        lines.append(
-            f'<joint name="{name}" type="revolute"><parent link="{parent}"/><child '
-            f'link="link_{leg}_{depth}"/><origin xyz="{place if depth == 0 else "0 0 -0.12"}"/>'
-            '<axis xyz="0 1 0"/><limit lower="-2" upper="2" effort="80" velocity="20"/></joint>')
-        joints.append(name)
-    return "\n".join(lines + ["</robot>"]), joints
+    link("trunk", False)
+    legs = [(bodies - 1 - leg + 3) // 4 for leg in range(4)]
+    for leg, links in enumerate(legs):
+        for depth in range(links):
+            parent = "trunk" if depth == 0 else f"link_{leg}_{depth - 1}"
+            place = f"{0.2 if leg < 2 else -0.2} {0.12 if leg % 2 else -0.12} 0"
+            link(f"link_{leg}_{depth}", depth == links - 1)
+            lines.append(
+                f'<joint name="joint_{leg}_{depth}" type="revolute"><parent link="{parent}"/><child '
+                f'link="link_{leg}_{depth}"/><origin xyz="{place if depth == 0 else f"0 0 {-LINK_M}"}"/>'
+                '<axis xyz="0 1 0"/><limit lower="-2.5" upper="2.5" effort="80" velocity="20"/></joint>')
+    return "\n".join(lines + ["</robot>"]), legs
 
 
-def motion(joints, rows):
+def angles(links, height_m):
+    """Of a leg that folds like a bellows: links lean forward and back by turns, so the foot stays
+    below the hip. Of an odd count the first hangs straight."""
+    straight = links % 2
+    lean = math.acos((height_m / LINK_M - straight) / (links - straight))
+    leans = [0.0] * straight + [lean * (-1) ** i for i in range(links - straight)]
+    return [after - before for before, after in zip([0.0] + leans, leans)]
+
+
+def motion(legs, rows):
+    """The trunk goes up and down on its four feet, slowly enough that they keep to the ground."""
     base = ["base_x_position_m", "base_y_position_m", "base_z_position_m", "base_qw_position",
             "base_qx_position", "base_qy_position", "base_qz_position"]
-    lines = [",".join(["time_s", *base, *(f"{name}_position_rad" for name in joints)])]
+    names = [f"joint_{leg}_{depth}_position_rad" for leg, links in enumerate(legs)
+             for depth in range(links)]
+    lines = [",".join(["time_s", *base, *names])]
     for row in range(rows):
         time_s = 0.001 * row
-        swing = [0.2 * math.sin(3 * time_s + i) for i in range(len(joints))]
-        numbers = [time_s, 0.3 * time_s, 0, 0.9 + 0.02 * math.sin(5 * time_s), 1, 0, 0, 0, *swing]
-        lines.append(",".join(f"{number:.9g}" for number in numbers))
+        height_m = LINK_M * min(legs) * (0.85 + 0.05 * math.sin(3 * time_s))
+        bent = [angle for links in legs for angle in angles(links, height_m)]
+        numbers = [time_s, 0, 0, height_m + FOOT_M, 1, 0, 0, 0, *bent]
+        lines.append(",".join(f"{number:.12g}" for number in numbers))
     return "\n".join(lines) + "\n"
 
 
 def page_of(program, bodies, rows, folder):
-    text, joints = robot(bodies)
+    text, legs = robot(bodies)
     (folder / "many.urdf").write_text(text)
-    (folder / "motion.csv").write_text(motion(joints, rows))
+    (folder / "motion.csv").write_text(motion(legs, rows))
     for command in (["robot", "import", "many.urdf", "-o", "many.json"],
                     ["hopper", "check", "many.json", "motion.csv", "--report", "page.html"]):
         ended = subprocess.run([program, *command], cwd=folder, capture_output=True, text=True)
@@ -179,13 +199,24 @@ def page_of(program, bodies, rows, folder):
     return folder / "page.html"
 
 
+def metrics(browser):
+    """Seconds of the page's thread so far."""
+    return {metric["name"]: metric["value"] for metric in browser.call("Performance.getMetrics")["metrics"]
+            if metric["name"].endswith("Duration")}
+
+
 def measured(browser, page, frames, draws_nothing):
     script = AS_WITH_A_CARD.replace("DRAWS_NOTHING", "true" if draws_nothing else "false")
     added = browser.call("Page.addScriptToEvaluateOnNewDocument", source=script)["identifier"]
     browser.call("Emulation.setDeviceMetricsOverride", width=1100, height=900, deviceScaleFactor=1,
                  mobile=False)
     browser.open(page)
+    browser.call("Performance.enable", timeDomain="threadTicks")
+    before = metrics(browser)
     result = browser.value_of(PLAYED.replace("COUNT", str(frames)))
+    after = metrics(browser)
+    result["ms"] = {name: 1000 * (after[name] - before[name]) / frames for name in after}
+    browser.call("Performance.disable")
     browser.call("Page.removeScriptToEvaluateOnNewDocument", identifier=added)
     if not result["canvas"]:
         sys.exit("the page did not turn: no WebGL")
@@ -195,8 +226,11 @@ def measured(browser, page, frames, draws_nothing):
 def row(words, result):
     frames = sorted(result["frames"])
     rank = frames[int(0.99 * (len(frames) - 1))]
-    return (f"| {words} | {statistics.median(frames):.2f} | {rank:.2f} | {frames[-1]:.1f} "
-            f"| {len(frames) / result['seconds']:.0f} |")
+    ms = result["ms"]
+    laid_out = ms["LayoutDuration"] + ms["RecalcStyleDuration"]
+    return (f"| {words} | {ms['ScriptDuration']:.1f} | {laid_out:.1f} | {ms['TaskDuration']:.1f} "
+            f"| {statistics.median(frames):.1f} | {rank:.1f} "
+            f"| {1000 * result['seconds'] / len(frames):.0f} |")
 
 
 def main():
@@ -216,7 +250,8 @@ def main():
         page = page_of(chosen.program.resolve(), chosen.bodies, chosen.rows, folder)
         print(f"{chosen.bodies} bodies, {chosen.rows} rows, page of "
               f"{page.stat().st_size / 1e6:.1f} MB; ms a frame\n")
-        print("| what | median | 99 % | most | frames/s, waiting for the screen |\n|---|---|---|---|---|")
+        print("| what | script | styles, layout | thread | script by the clock, median | 99 % "
+              "| from frame to frame |\n|---|---|---|---|---|---|---|")
         browser = Browser(chromium, pathlib.Path(scratch) / "profile")
         try:
             print(row("script", measured(browser, page, chosen.frames, True)))

@@ -49,7 +49,10 @@ Deed flights_deed(const Goal& goal, std::size_t flown) {
   deed.planned = std::clamp<double>(deed.done, goal.least_flights, goal.most_flights);
   deed.off = std::abs(deed.done - deed.planned);
   deed.is_done = deed.off == 0.0;
-  deed.sentence = fmt::format("it flies {:g} times in the place of {:g}", deed.done, deed.planned);
+  const std::string times = deed.done == 1.0 ? "once" : fmt::format("{:g} times", deed.done);
+  deed.sentence = deed.is_done
+                      ? fmt::format("it flies {}, as the task allows", times)
+                      : fmt::format("it flies {} in the place of {:g}", times, deed.planned);
   return deed;
 }
 

@@ -17,6 +17,7 @@
   let now = 0; // The sample that is shown.
   let playing = null; // The clock's time at which the motion's first instant would have been.
   let speaking = 0;
+  let resting = 0;
 
   const value = (name) => columns[name][now];
 
@@ -68,6 +69,51 @@
     const side = (sign) =>
       `L${tipX - head * (dx + sign * 0.4 * dy)} ${tipY - head * (dy - sign * 0.4 * dx)}`;
     return `M${x} ${y}L${tipX} ${tipY}${side(1)}M${tipX} ${tipY}${side(-1)}`;
+  }
+
+  /**
+   * What follows the cursor, by the chart or table that holds it. While the cursor moves, only what
+   * is on the screen follows, numbers as often as one can read them; the rest when it stands, and
+   * before the page is printed.
+   */
+  const kReadable_ms = 100;
+  const holders = new Map();
+  for (const part of all("svg.chart .moves, [data-column]")) {
+    const holder = part.closest("svg.chart, table, dl") || part;
+    if (!holders.has(holder)) holders.set(holder, { marks: [], cells: [], seen: true });
+    holders.get(holder)[part.matches(".moves") ? "marks" : "cells"].push(part);
+  }
+  const watcher = new IntersectionObserver((entries) => entries.forEach((entry) => {
+    const held = holders.get(entry.target);
+    held.seen = entry.isIntersecting;
+    if (held.seen) draw(held);
+  }), { rootMargin: "100px" });
+  for (const holder of holders.keys()) watcher.observe(holder);
+
+  let toldAt = -Infinity; // The clock's time at which numbers were last written.
+
+  function draw(held, withNumbers = true) {
+    if (held.marked !== now) held.marks.forEach(drawMark);
+    held.marked = now;
+    if (!withNumbers || held.told === now) return;
+    held.cells.forEach(drawCell);
+    held.told = now;
+  }
+
+  function drawSeen() {
+    const clock = performance.now();
+    const withNumbers = clock - toldAt >= kReadable_ms;
+    if (withNumbers) toldAt = clock;
+    holders.forEach((held) => { if (held.seen) draw(held, withNumbers); });
+    clearTimeout(resting);
+    resting = setTimeout(drawAll, kReadable_ms);
+  }
+
+  const drawAll = () => holders.forEach((held) => draw(held));
+
+  function drawCell(cell) {
+    cell.textContent = number(value(cell.dataset.column));
+    cell.classList.toggle("bad", Boolean(cell.dataset.bad) && value(cell.dataset.bad) > 0);
   }
 
   /** Marks of charts: each names the columns that it follows. */
@@ -132,11 +178,7 @@
     const active = violated();
     drawRobot(active);
     if (view) view.show(now, new Set(active.flatMap((violation) => violation.bodies)));
-    all("svg.chart .moves").forEach(drawMark);
-    for (const cell of all("[data-column]")) {
-      cell.textContent = number(value(cell.dataset.column));
-      cell.classList.toggle("bad", Boolean(cell.dataset.bad) && value(cell.dataset.bad) > 0);
-    }
+    drawSeen();
     say(active);
   }
 
@@ -198,6 +240,7 @@
   });
   for (const id of ["before", "after", "violated"]) byId(id).hidden = worst.length === 0;
 
+  addEventListener("beforeprint", drawAll);
   all(".needs-script").forEach((element) => { element.hidden = false; });
   moveTo(sampleAt(data.begin_s));
 })();

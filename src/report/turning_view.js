@@ -532,10 +532,11 @@ function turningView(data, number) {
   let now = 0;
   let bad = new Set();
   let asked = 0; // The next frame, if one is to be drawn.
+  // Told by the browser: to ask for it would have the whole page laid out in every frame.
+  let [width, height] = [canvas.clientWidth, canvas.clientHeight];
 
   function draw() {
     asked = 0;
-    const [width, height] = [canvas.clientWidth, canvas.clientHeight];
     if (width === 0 || height === 0) return;
     const ratio = isFast ? Math.min(2, devicePixelRatio) : 1;
     if (canvas.width !== Math.floor(width * ratio) || canvas.height !== Math.floor(height * ratio)) {
@@ -624,7 +625,10 @@ function turningView(data, number) {
     colours.read();
     ask();
   });
-  new ResizeObserver(ask).observe(canvas);
+  new ResizeObserver(([{ contentRect }]) => {
+    [width, height] = [contentRect.width, contentRect.height];
+    ask();
+  }).observe(canvas);
   return {
     show(sample, bodies) {
       now = sample;

@@ -43,12 +43,20 @@ class HopperPage : public WrittenPage {
   }
 };
 
+/// Every mark at the cursor's time: those out of sight follow when the cursor rests.
+constexpr const char* kAllStand =
+    "(() => { const t = Number(document.getElementById('clock').textContent.split(' ')[0]);"
+    "return [...document.querySelectorAll('circle.now.there[data-x=\"time_s\"]')].every((d) => {"
+    "const c = d.ownerSVGElement.dataset;"
+    "return Math.abs((d.getAttribute('cx') - c.xZero) / c.xSlope - t) < 6e-4; }); })()";
+
 /// A click on the slider, at that share of its length.
 void click_slider(Browser& browser, double share) {
   const json box = browser.value_of(
       "(() => { const b = document.getElementById('time').getBoundingClientRect();"
       "return [b.left, b.width, b.top + b.height / 2]; })()");
   browser.click(box[0].get<double>() + share * box[1].get<double>(), box[2]);
+  EXPECT_TRUE(browser.wait_for(kAllStand));
 }
 
 /// The value of a column of the series at the last row of that time.

@@ -144,5 +144,22 @@ TEST_F(ReplayPage, AsksNoNetworkRunsNothingOutOfNamesAndFits) {
   EXPECT_LE(browser().value_of("document.documentElement.scrollWidth").get<int>(), 390);
 }
 
+// A policy follows no motion: no plan is drawn, told or held against it.
+TEST_F(ReplayPage, OfAPolicyShowsNoPlan) {
+  const auto outcome =
+      place().run({"hopper", "replay", in_repository("specs/robot/hopper.json").string(),
+                   in_repository("specs/policy/upright.json").string(), "--report", "policy.html"});
+  ASSERT_NE(outcome.exit_code, 2) << outcome.err;
+  EXPECT_EQ(outcome.out.find("  error  "), std::string::npos) << outcome.out;
+  browser().open(place().path("policy.html"), 390, 900);
+  const std::string text = browser().value_of("document.querySelector('main').textContent");
+  EXPECT_NE(text.find("does it do the task?"), std::string::npos);
+  EXPECT_EQ(text.find("planned"), std::string::npos);
+  EXPECT_EQ(browser().value_of("document.querySelectorAll('svg.robot .bone.planned').length"), 0);
+  EXPECT_GT(browser().value_of("document.querySelectorAll('svg.chart path[d]').length"), 0);
+  EXPECT_LE(browser().value_of("document.documentElement.scrollWidth").get<int>(), 390);
+  EXPECT_TRUE(browser().complaints().empty()) << browser().complaints().front();
+}
+
 }  // namespace
 }  // namespace torquewright::page_test

@@ -97,30 +97,34 @@ std::string words_of(PlanStatus status) {
   return words;
 }
 
-std::string plan_sections(const Robot& robot, const PlanOptions& options,
-                          const PlanResult& result) {
+std::string verdict_section(const Robot& robot, const PlanOptions& options,
+                            const PlanResult& result) {
   std::string text =
       fmt::format("<section>\n<h1>{}: a {}? <span class=\"badge {}\">{}</span></h1>\n<p>{}</p>\n",
                   escaped(robot.name), options.task->name, style_of(result.status),
                   words_of(result.status), escaped(verdict_words(options, result)));
-  for (const std::string& line :
-       {proof_words(result), task_words(options, result), flight_words(result)}) {
+  const std::string flight = flight_words(result);
+  for (const std::string& line : {proof_words(result), task_words(options, result),
+                                  flight.empty() ? "" : "It flies for " + flight}) {
     if (!line.empty()) text += "<p>" + escaped(line) + "</p>\n";
   }
-  text += "</section>\n";
-  return text + page_section("The plan",
-                             phases_table(result.plan) + margins_table(result.least_margins) +
-                                 reserve_table(options, result) + binding_table(result.binding) +
-                                 rounds_table(result.rounds) + changes_list(result.changes));
+  return text + "</section>\n";
+}
+
+std::string plan_section(const PlanOptions& options, const PlanResult& result) {
+  return page_section("The plan", phases_table(result.plan) + margins_table(result.least_margins) +
+                                      reserve_table(options, result) +
+                                      binding_table(result.binding) + rounds_table(result.rounds) +
+                                      changes_list(result.changes));
 }
 
 }  // namespace
 
 std::string flip_html(const Robot& robot, const PlanOptions& options, const PlanResult& result) {
   PageHead head{fmt::format("{}: {}", robot.name, words_of(result.status)),
-                plan_sections(robot, options, result)};
+                verdict_section(robot, options, result), plan_section(options, result)};
   if (!result.check || result.motion.samples() == 0) {
-    return cursor_page_begin(head.title, "") + head.sections + cursor_page_end("");
+    return cursor_page_begin(head.title, "") + head.sections + head.behind + cursor_page_end("");
   }
   const std::vector<CandidateResult> none;
   const HopperPage page{robot, result.motion, options.check, *result.check, none};

@@ -16,7 +16,9 @@ using namespace hopper;
 namespace {
 
 std::string with_unit(double value, const std::string& unit) {
-  return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
+  constexpr double kRounding = 1e-5;  // In any unit of a plan: what a solver leaves of a zero.
+  const double shown = std::abs(value) < kRounding ? 0.0 : value;
+  return fmt::format("{:.4g}{}{}", shown, unit.empty() ? "" : " ", unit);
 }
 
 constexpr double kMore = 0.01;  // of a share, a radian or a second, by which prices are told
@@ -35,7 +37,7 @@ std::string verdict_words(const PlanOptions& options, const PlanResult& result) 
       const bool is_box = options.limits == DriveLimits::kBox;
       const bool passes = result.check && result.check->check.verdict == actuator::Verdict::kPass;
       return fmt::format("planned: the {} keeps to the {} of all drives and to the contacts{}",
-                         options.task->name, is_box ? "boxes" : "regions",
+                         options.task->name, is_box ? "boxes of torque and speed" : "regions",
                          passes   ? "; `hopper check` passes it"
                          : is_box ? "; `hopper check` holds it against the regions and fails it"
                                   : "");
@@ -78,7 +80,7 @@ std::string task_words(const PlanOptions& options, const PlanResult& result) {
                                      [](const PlannedPhase& phase) { return phase.flies(); });
   return fmt::format("{}{}, drives held to their {}{}{}", options.task->name,
                      flights > 1 ? fmt::format(", {} in a row", flights) : "",
-                     options.limits == DriveLimits::kBox ? "boxes" : "regions",
+                     options.limits == DriveLimits::kBox ? "boxes of torque and speed" : "regions",
                      objectives.empty() ? "" : "; ", fmt::join(objectives, ", "));
 }
 

@@ -104,15 +104,21 @@ std::string ground_chart(const ReplayPage& page, const ShownRun& run) {
 
 }  // namespace
 
-std::string motion_charts(const ShownRun& run) {
+std::string motion_charts(const ShownRun& run, bool is_planned) {
+  const auto curves = [is_planned](const char* planned, const char* is) {
+    std::vector<DrawnColumn> both{{"asked", is}};
+    if (is_planned) both.insert(both.begin(), {"planned", planned});
+    return both;
+  };
   std::string charts;
   if (hopper::find_column(run.series, "pitch_rad") != nullptr) {
     charts += time_chart(run.series, "Pitch of the base", "pitch in rad",
-                         {{"planned", "planned_pitch_rad"}, {"asked", "pitch_rad"}}, {});
+                         curves("planned_pitch_rad", "pitch_rad"), {});
   }
   charts += time_chart(run.series, "Height of the centre of mass", "height in m",
-                       {{"planned", "planned_height_m"}, {"asked", "height_m"}}, {});
-  return legend(line_key("asked", "what the robot did") + line_key("planned", "as planned") +
+                       curves("planned_height_m", "height_m"), {});
+  return legend(line_key("asked", "what the robot did") +
+                (is_planned ? line_key("planned", "as planned") : "") +
                 dot_key("now", "at the cursor")) +
          panels(charts);
 }

@@ -9,6 +9,7 @@
 #include "io/text/one_line.hpp"
 #include "src/report/motion/replay_charts.hpp"
 #include "src/report/motion/replay_tables.hpp"
+#include "src/report/motion/replay_words.hpp"
 #include "src/report/parts/embedded_page.hpp"
 #include "src/report/parts/kept_samples.hpp"
 #include "src/report/parts/page_parts.hpp"
@@ -30,9 +31,10 @@ std::string verdict_section(const ReplayPage& page) {
   const hopper::ReplayOutcome& outcome = page.report.result.outcome;
   const auto verdict = name_of(outcome.verdict);
   std::string text = fmt::format(
-      "<section>\n<h1>{}: does it do the motion? <span class=\"badge {}\">{}</span></h1>\n"
+      "<section>\n<h1>{}: does it do the {}? <span class=\"badge {}\">{}</span></h1>\n"
       "<p class=\"soft\">{}</p>\n",
-      escaped(page.robot.name), verdict, verdict, escaped(io::name_in_text(page.motion.file)));
+      escaped(page.robot.name), has_plan(page.report.options) ? "motion" : "task", verdict, verdict,
+      escaped(io::name_in_text(page.motion.file)));
   if (!outcome.reason.empty()) {
     text += fmt::format("<p class=\"reason\">{}</p>\n", escaped(outcome.reason));
   }
@@ -80,6 +82,7 @@ MovingFigure replayed_figure(const ReplayPage& page, const ShownRun& run,
   MovedPoses moved{run.skeleton, {}};
   for (const Index row : rows) {
     moved.poses.push_back(run.poses[static_cast<std::size_t>(row)]);
+    if (!has_plan(page.report.options)) continue;
     moved.planned.push_back(run.planned[static_cast<std::size_t>(row)]);
   }
   moved.ground_m = page.report.options.run.ground_height_m;
@@ -90,8 +93,11 @@ MovingFigure replayed_figure(const ReplayPage& page, const ShownRun& run,
 CursorSource replay_cursor(const ReplayPage& page, const ShownRun& run,
                            const std::vector<Index>& rows, const MovingFigure& figure) {
   CursorSource cursor{run.series, rows, run.violations, &figure, begin_time_s(page)};
-  cursor.headers = {"time_s",           "pitch_rad",   "planned_pitch_rad", "height_m",
-                    "planned_height_m", "ground_up_N", "ground_forward_N",  "in_flight"};
+  cursor.headers = {"time_s",      "pitch_rad",        "height_m",
+                    "ground_up_N", "ground_forward_N", "in_flight"};
+  if (has_plan(page.report.options)) {
+    cursor.headers.insert(cursor.headers.end(), {"planned_pitch_rad", "planned_height_m"});
+  }
   for (const std::string& name : drive_names_of(page.robot)) {
     for (const char* what :
          {"_drive_speed_rad_s", "_drive_wanted_torque_Nm", "_drive_torque_Nm", "_bus_voltage_V"}) {
@@ -125,6 +131,7 @@ TurningView replayed_view(const ReplayPage& page, const ShownRun& run,
     is.col(i) = row.position;
     should.col(i) = goal.position;
   }
+  if (!has_plan(page.report.options)) should.resize(should.rows(), 0);
   const hopper::RunOptions& options = page.report.options.run;
   return turning_view({page.robot, run.series, rows, cursor.forces, scale, options.ground_height_m,
                        options.profile},
@@ -147,31 +154,35 @@ std::string replay_values(const ReplayPage& page, const ShownRun& run) {
                            {name + "_drive_wanted_torque_Nm", outside_column(name)},
                            {name + "_drive_torque_Nm", outside_column(name)}}});
   }
-  return cursor_values(run.series, table,
-                       {{"pitch_rad", "pitch, rad"},
-                        {"planned_pitch_rad", "planned pitch, rad"},
-                        {"height_m", "height, m"},
-                        {"planned_height_m", "planned height, m"},
-                        {"ground_up_N", "ground pushes up, N"},
-                        {"ground_forward_N", "ground pushes forward, N"}});
+  std::vector<Quantity> quantities{{"pitch_rad", "pitch, rad"}, {"height_m", "height, m"}};
+  if (has_plan(page.report.options)) {
+    quantities.insert(quantities.begin() + 1, Quantity{"planned_pitch_rad", "planned pitch, rad"});
+    quantities.push_back({"planned_height_m", "planned height, m"});
+  }
+  quantities.push_back({"ground_up_N", "ground pushes up, N"});
+  quantities.push_back({"ground_forward_N", "ground pushes forward, N"});
+  return cursor_values(run.series, table, quantities);
 }
 
 std::string replay_stage(const ReplayPage& page, const ShownRun& run,
                          const std::vector<Index>& rows, const MovingFigure& figure,
                          const TurningView& view) {
   const Index begin = row_at(column(run.series, "time_s"), begin_time_s(page));
+  const bool is_planned = has_plan(page.report.options);
   const auto pose = std::lower_bound(rows.begin(), rows.end(), begin) - rows.begin();
   return "<div class=\"stage\">\n" +
          view_figure(page.robot.name, view,
                      figure_svg(page.robot.name +
-                                    " from the side at the time of the cursor, as planned and "
-                                    "as it was",
+                                    (is_planned ? " from the side at the time of the cursor, as "
+                                                  "planned and as it was"
+                                                : " from the side at the time of the cursor"),
                                 figure, static_cast<std::size_t>(pose), run.violations),
-                     line_key("bone", "the robot") + line_key("bone planned", "as planned") +
+                     line_key("bone", "the robot") +
+                         (is_planned ? line_key("bone planned", "as planned") : "") +
                          dot_key("mass", "centre of mass") +
                          line_key("bone bad", "its bodies where torque was cut off") +
                          line_key("force", figure.force.words())) +
-         replay_values(page, run) + "</div>\n" + motion_charts(run);
+         replay_values(page, run) + "</div>\n" + motion_charts(run, is_planned);
 }
 
 }  // namespace

@@ -98,7 +98,9 @@ std::string replayed_drives_table(const ReplayPage& page) {
   Rows rows;
   for (const hopper::DriveReplay& drive : page.report.result.drives) {
     rows.push_back({drive.name, clipped_words(drive), peak_words(drive),
-                    fmt::format("{} (t = {:.4f} s)", error_words(drive), drive.error_time_s),
+                    has_plan(page.report.options)
+                        ? fmt::format("{} (t = {:.4f} s)", error_words(drive), drive.error_time_s)
+                        : "no motion is followed",
                     drive.peak_winding_K
                         ? fmt::format("{:.4g} K, limit {:.4g} K", *drive.peak_winding_K,
                                       *drive.winding_limit_K)

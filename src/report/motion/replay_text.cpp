@@ -31,12 +31,15 @@ std::string end_lines(const Motion& motion, const ReplayResult& result) {
   return text;
 }
 
-std::string drive_lines(const ReplayResult& result, std::size_t index) {
+std::string drive_lines(const ReplayResult& result, std::size_t index, bool is_planned) {
   const DriveReplay& drive = result.drives[index];
   std::string text = fmt::format("\n{}\n  clipped  {}\n", drive.name, clipped_words(drive));
-  text += fmt::format("  {}   peak {}\n  error    {} at most (t = {:.4f} s)\n",
-                      drive.moves_slide ? "force " : "torque", peak_words(drive),
-                      error_words(drive), drive.error_time_s);
+  text +=
+      fmt::format("  {}   peak {}\n", drive.moves_slide ? "force " : "torque", peak_words(drive));
+  if (is_planned) {
+    text += fmt::format("  error    {} at most (t = {:.4f} s)\n", error_words(drive),
+                        drive.error_time_s);
+  }
   if (drive.peak_winding_K) {
     text += fmt::format("  winding  {:.4g} K at most, limit {:.4g} K\n", *drive.peak_winding_K,
                         *drive.winding_limit_K);
@@ -126,7 +129,9 @@ std::string replay_text(const Robot& robot, const Motion& motion, const ReplayRe
   text += "  engine   " + simulation_words(report.options) + "\n";
   text += end_lines(motion, result);
   text += "  battery  " + battery_words(result) + "\n";
-  for (std::size_t i = 0; i < result.drives.size(); ++i) text += drive_lines(result, i);
+  for (std::size_t i = 0; i < result.drives.size(); ++i) {
+    text += drive_lines(result, i, has_plan(report.options));
+  }
   text += task_lines(result.account);
   text += sweep_lines(report.sweep);
   if (report.trials) text += trials_lines(*report.trials);

@@ -42,15 +42,19 @@ std::string simulation_words(const ReplayOptions& options) {
       "{}, steps of {:.4g} ms; drives held to their {}; {} every {:.4g} ms, {:.4g} ms "
       "late; {}",
       options.engine->name, 1e3 * options.run.step_s,
-      options.limits == DriveLimits::kBox ? "box" : "regions", options.controller->name,
-      1e3 * period_s, 1e3 * options.run.step_s * options.run.latency_steps,
-      impact_words(options.impact.handling));
+      options.limits == DriveLimits::kBox ? "box of torque and speed" : "regions",
+      options.controller->name, 1e3 * period_s,
+      1e3 * options.run.step_s * options.run.latency_steps, impact_words(options.impact.handling));
   for (const Push& push : options.run.pushes) {
     const Eigen::Vector3d& impulse = push.impulse_N_s;
     words += fmt::format("; pushed by ({:g}, {:g}, {:g}) N s on {} at t = {:.4f} s", impulse.x(),
                          impulse.y(), impulse.z(), push.body_name, push.time_s);
   }
   return words;
+}
+
+bool has_plan(const hopper::ReplayOptions& options) {
+  return options.controller->name != "policy";
 }
 
 std::string landing_words(const TouchDown& down) {
@@ -61,8 +65,13 @@ std::string landing_words(const TouchDown& down) {
 }
 
 std::string deed_words(const Deed& deed) {
-  return fmt::format("{} (off by {:.2g} {}, where {:.2g} may be)", deed.sentence, deed.off,
-                     deed.unit, deed.tolerance);
+  if (deed.off == 0.0 && deed.tolerance == 0.0) return deed.sentence;
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  const bool is_angle = deed.unit == "rad";
+  const double scale = is_angle ? kDegrees : 1.0;
+  const std::string unit = is_angle ? " degrees" : deed.unit == "1" ? "" : " " + deed.unit;
+  return fmt::format("{} (off by {:.2g}{}, where {:.2g} may be)", deed.sentence, scale * deed.off,
+                     unit, scale * deed.tolerance);
 }
 
 std::string ground_words(const TouchDownLoad& load) {

@@ -10,6 +10,9 @@ namespace torquewright::report {
 /// What a replay came to in words, as its text and its page have them; no line's end.
 
 /// Engine, drives, controller and how time goes on.
+/// Whether the run follows a motion; a policy follows none.
+bool has_plan(const hopper::ReplayOptions& options);
+
 std::string simulation_words(const hopper::ReplayOptions& options);
 /// When the robot landed, and the rotation that was missing.
 std::string landing_words(const hopper::TouchDown& down);

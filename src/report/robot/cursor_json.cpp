@@ -20,13 +20,19 @@ std::string list(const std::vector<std::string>& items) {
   return fmt::format("[{}]", fmt::join(items, ","));
 }
 
-constexpr double kNothing = 1e-9;  // What is smaller is the rounding of a zero.
+constexpr double kNothing = 1e-9;        // What is smaller is the rounding of a zero,
+constexpr double kNothingBeside = 1e-6;  // or what is beside the greatest of its column.
 
 /// Few digits: for the eye, not for arithmetic.
 std::string values(const Eigen::VectorXd& column, const std::vector<Index>& samples, int digits) {
+  double greatest = 0.0;
+  for (const double value : column) {
+    if (std::isfinite(value)) greatest = std::max(greatest, std::abs(value));
+  }
+  const double nothing = std::max(kNothing, kNothingBeside * greatest);
   std::string text;
   for (const Index sample : samples) {
-    const double value = std::abs(column[sample]) < kNothing ? 0.0 : column[sample];
+    const double value = std::abs(column[sample]) < nothing ? 0.0 : column[sample];
     text += text.empty() ? "[" : ",";
     text += std::isfinite(value) ? fmt::format("{:.{}g}", value, digits) : "null";
   }

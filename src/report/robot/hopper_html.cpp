@@ -134,7 +134,7 @@ class Page {
     text += page_section("Through the gears", gear_charts(source));
     text += page_section("The whole body", body_charts(source));
     text += page_section("Candidates", candidates_table(page_));
-    text += page_section("Findings", findings_table(page_));
+    text += page_section("Findings", findings_table(page_)) + head.behind;
     return text + cursor_page_end(cursor_json(cursor), view.has_value());
   }
 

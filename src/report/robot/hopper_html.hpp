@@ -7,10 +7,11 @@
 
 namespace torquewright::report {
 
-/// What stands before the motion on a page.
+/// What stands around the motion on a page.
 struct PageHead {
   std::string title;     ///< Of the window.
-  std::string sections;  ///< As HTML.
+  std::string sections;  ///< As HTML, before the motion.
+  std::string behind{};  ///< As HTML, behind all else.
 };
 /// The verdict and the violations.
 PageHead checked_head(const HopperPage& page);
