@@ -136,11 +136,20 @@ std::vector<Finding> unit_findings(std::span<const MappingText> stated) {
   return findings;
 }
 
+std::vector<Finding> units_row_findings(const io::CsvReader& csv) {
+  if (csv.units().empty()) return {};
+  return {note("column-unit",
+               "the line under the header is read as a row of units; it counts where "
+               "a column's name says none")};
+}
+
 std::vector<Finding> column_findings(const CheckRequest& request) {
   std::vector<Finding> findings = unit_findings(stated_on_command_line(request));
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(request.trajectory, unknown)) return findings;
-  const io::CsvReader csv(request.trajectory);
+  const io::CsvReader csv(request.trajectory, io::CsvReader::CutEnd::kRefused,
+                          io::CsvReader::UnitsRow::kTaken);
+  for (Finding& finding : units_row_findings(csv)) findings.push_back(std::move(finding));
   const DriveRows rows(request.drives, request.parallels, request.trajectory.string());
   for (Finding& finding :
        unread_findings(HeaderReading(csv.header(), request, rows.joints()).unread())) {

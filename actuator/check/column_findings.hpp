@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "actuator/check/check.hpp"
+#include "io/files/csv.hpp"
 
 namespace torquewright::actuator {
 
@@ -22,7 +23,10 @@ std::vector<Finding> unread_findings(std::vector<UnreadColumn> unread);
 /// Returns a note for each column that is read in another unit than its own name ends in.
 std::vector<Finding> unit_findings(std::span<const MappingText> stated);
 
-/// Returns both kinds of notes for a check of actuators. Columns of joints that are not checked
+/// Returns a note where a row of units stands under the header.
+std::vector<Finding> units_row_findings(const io::CsvReader& csv);
+
+/// Returns all kinds of notes for a check of actuators. Columns of joints that are not checked
 /// count as read where the file has their motion. None where the trajectory comes through a pipe,
 /// which is read once. Requires what check() does.
 std::vector<Finding> column_findings(const CheckRequest& request);

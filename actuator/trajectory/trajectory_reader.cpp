@@ -8,6 +8,7 @@
 
 #include "actuator/trajectory/meant_columns.hpp"
 #include "actuator/trajectory/one_time.hpp"
+#include "actuator/trajectory/units_row.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/text/nearest.hpp"
 #include "io/text/wording.hpp"
@@ -131,6 +132,20 @@ std::vector<ColumnMapping> complete(const io::CsvReader& csv,
   return all;
 }
 
+io::Dimension dimension_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kTime:
+      return io::Dimension::kTime;
+    case Quantity::kPosition:
+      return io::Dimension::kAngle;
+    case Quantity::kVelocity:
+      return io::Dimension::kAngularVelocity;
+    case Quantity::kTorque:
+      break;
+  }
+  return io::Dimension::kTorque;
+}
+
 }  // namespace
 
 std::string no_rows_within(const Window& window, double first_s, double last_s) {
@@ -146,7 +161,10 @@ std::string no_rows_within(const Window& window, double first_s, double last_s) 
 TrajectoryReader::TrajectoryReader(const std::filesystem::path& file,
                                    const std::vector<ColumnMapping>& mappings,
                                    const std::vector<std::string>& joints, const Window& window)
-    : csv_(file), window_(window), joints_(joints.size()), unwraps_(joints.size()) {
+    : csv_(file, io::CsvReader::CutEnd::kRefused, io::CsvReader::UnitsRow::kTaken),
+      window_(window),
+      joints_(joints.size()),
+      unwraps_(joints.size()) {
   const std::vector<ColumnMapping> all =
       complete(csv_, without_patterns(mappings, joints, csv_.header(), csv_.file()), joints);
   refuse_foreign_units(csv_, all, joints);
@@ -157,7 +175,10 @@ TrajectoryReader::TrajectoryReader(const std::filesystem::path& file,
 void TrajectoryReader::assign(const std::vector<ColumnMapping>& mappings,
                               const std::vector<std::string>& joints) {
   for (const ColumnMapping& mapping : mappings) {
-    const JointColumns::Source source{*csv_.find(mapping.column), mapping.factor};
+    const std::size_t column = *csv_.find(mapping.column);
+    const double factor = with_units_row(csv_, column, dimension_of(mapping.quantity),
+                                         mapping.factor, mapping.has_unit);
+    const JointColumns::Source source{column, factor};
     if (mapping.quantity == Quantity::kTime) time_ = source;
     for (std::size_t i = 0; i < joints.size(); ++i) {
       if (joints[i] != mapping.joint) continue;
@@ -190,7 +211,7 @@ void TrajectoryReader::require_complete(const std::vector<ColumnMapping>& found,
 }
 
 double TrajectoryReader::read_time_s() {
-  const double time_s = csv_.number(time_->column) * time_->factor;
+  const double time_s = csv_.time(time_->column) * time_->factor;
   csv_.require_within(time_->column, time_s, Clock::kLatest_s);
   if (previous_s_ && time_s <= *previous_s_) {
     csv_.refuse(time_->column, fmt::format("time {}: {} s follows {} s of line {}",

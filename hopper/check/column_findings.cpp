@@ -65,7 +65,11 @@ std::vector<actuator::Finding> column_findings(const Robot& robot, const MotionF
   if (!source.bare.order.empty()) return findings;  // a column that is not read is called skip
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(source.file, unknown)) return findings;
-  const io::CsvReader csv(source.file);
+  const io::CsvReader csv(source.file, io::CsvReader::CutEnd::kRefused,
+                          io::CsvReader::UnitsRow::kTaken);
+  for (actuator::Finding& finding : actuator::units_row_findings(csv)) {
+    findings.push_back(std::move(finding));
+  }
   const std::vector<Channel> channels = channels_of(robot);
   const auto spread = without_patterns(stated, channels, csv.header(), csv.file());
   for (actuator::Finding& finding :

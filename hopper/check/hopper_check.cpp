@@ -53,6 +53,16 @@ double guide_mismatch(const CheckedMotion& checked) {
   return file_N > 0.0 ? apart_N / file_N : 0.0;
 }
 
+/// All of few names, the first of many and their number.
+std::string counted(std::vector<std::string> joints) {
+  constexpr std::size_t kFew = 12;
+  constexpr std::size_t kShown = 3;
+  if (joints.size() <= kFew) return io::listed(joints);
+  const std::size_t count = joints.size();
+  joints.resize(kShown);
+  return fmt::format("{} joints ({}, ...)", count, io::listed(joints));
+}
+
 std::vector<std::string> driven_by_limits(const Robot& robot) {
   std::vector<std::string> joints;
   for (const Drivetrain& drivetrain : robot.drivetrains) {
@@ -91,10 +101,11 @@ std::vector<Finding> origin_notes(const CheckedMotion& checked) {
          "the robot states no mechanisms: there is no actuator to hold the motion against");
   }
   if (const auto limited = driven_by_limits(checked.robot); !limited.empty()) {
-    note("no-drives", Severity::kNote,
-         fmt::format("no mechanism drives {}: their own limits of torque and speed stand for "
-                     "drives, no winding, no heat",
-                     io::listed(limited)));
+    note(
+        "no-drives", Severity::kNote,
+        fmt::format("no mechanism drives {}. Their own limits of torque and speed stand for "
+                    "drives; there is no winding and no heat. `robot attach` puts drives on joints",
+                    counted(limited)));
   }
   if (motion.velocity_origin == Origin::kDerived) {
     note("velocity-differentiated", Severity::kNote,
@@ -111,8 +122,8 @@ std::vector<Finding> origin_notes(const CheckedMotion& checked) {
     const ContactThresholds& found = checked.contacts.thresholds;
     note("contacts-searched", Severity::kNote,
          fmt::format("points count as touching no higher than {:g} m{} (--contact-height, "
-                     "--contact-speed): of the pairs tried the one that leaves the least "
-                     "unexplained, {:.3g} weights rms",
+                     "--contact-speed). Of the pairs that were tried this one leaves the least "
+                     "unexplained: {:.3g} of the weight, rms",
                      found.height_m,
                      std::isfinite(found.speed_m_s)
                          ? fmt::format(" and no faster up or down than {:g} m/s", found.speed_m_s)

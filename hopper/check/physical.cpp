@@ -46,9 +46,9 @@ std::string missed_contact(const Motion& motion) {
 
 std::string question_of_contacts(const Motion& motion) {
   const std::string columns = deciding_columns(motion);
-  if (columns.empty()) return "are its contacts found (--contact-height, --ground-height)";
+  if (columns.empty()) return "Are its contacts found (--contact-height, --ground-height)";
   return fmt::format(
-      "are the file's contact {} right, which decide where the ground touches (without these "
+      "Are the file's contact {} right, which decide where the ground touches (without these "
       "columns contacts are found by height and speed)",
       columns);
 }
@@ -56,9 +56,9 @@ std::string question_of_contacts(const Motion& motion) {
 std::string sentence(const char* what, const ResidualPeak& peak, const char* unit, double window_s,
                      const Motion& motion, const std::string& question) {
   return fmt::format(
-      "t = {} s: {} of {:.4g} {} over {:g} ms is left that neither gravity nor inertia nor "
-      "contacts explain (limit {:.4g} {}, passed from {:.3g} % of the samples on): {}, {}, are its "
-      "rates smooth? --residual-limit allows more{}",
+      "t = {} s: neither gravity nor inertia nor contacts explain {} of {:.4g} {} (mean of {:g} "
+      "ms). The limit is {:.4g} {}; it is passed in {:.3g} % of the samples. {}? {}? Are its rates "
+      "smooth? --residual-limit allows more{}",
       io::time_text(peak.time_s), what, peak.mean, unit, 1e3 * window_s, peak.limit, unit,
       100.0 * peak.share_beyond, question, question_of_contacts(motion), help_words(motion));
 }
@@ -85,14 +85,14 @@ void add_fall(const CheckedMotion& checked, const Flight& flight, std::vector<io
   const double gravity_m_s2 = gravity_of_limits_m_s2(checked.robot.tree);
   faults.push_back(
       {checked.motion.file, "",
-       fmt::format("t = {} to {} s: in flight the centre of mass accelerates by ({:.4g}, "
-                   "{:.4g}, {:.4g}) m/s^2, {:.4g} m/s^2 ({:.3g} % of gravity) from falling freely "
-                   "(limit {:.3g}); likely cause: {}; --residual-limit allows more{}",
-                   io::time_text(flight.from_s), io::time_text(flight.until_s),
-                   flight.fall_m_s2.x(), flight.fall_m_s2.y(), flight.fall_m_s2.z(),
-                   flight.fall_error_m_s2, 100.0 * flight.fall_error_m_s2 / gravity_m_s2,
-                   flight.fall_limit_m_s2, cause_of_fall(flight, checked),
-                   help_words(checked.motion))});
+       fmt::format(
+           "t = {} to {} s: in flight the centre of mass does not fall freely. It accelerates "
+           "by ({:.4g}, {:.4g}, {:.4g}) m/s^2, which is off by {:.4g} m/s^2 ({:.3g} % of "
+           "gravity; limit {:.3g}). Likely cause: {}; --residual-limit allows more{}",
+           io::time_text(flight.from_s), io::time_text(flight.until_s), flight.fall_m_s2.x(),
+           flight.fall_m_s2.y(), flight.fall_m_s2.z(), flight.fall_error_m_s2,
+           100.0 * flight.fall_error_m_s2 / gravity_m_s2, flight.fall_limit_m_s2,
+           cause_of_fall(flight, checked), help_words(checked.motion))});
 }
 
 void add_spin(const CheckedMotion& checked, const Flight& flight, std::vector<io::Fault>& faults) {
@@ -102,8 +102,8 @@ void add_spin(const CheckedMotion& checked, const Flight& flight, std::vector<io
       {checked.motion.file, "",
        fmt::format(
            "t = {} to {} s: in flight the angular momentum about the centre of mass "
-           "moves by {:.4g} Nm s from its mean of {:.4g} Nm s (limit {:.3g}), and nothing "
-           "turns a body in the air; likely cause: {}, or {}; --residual-limit allows more{}",
+           "moves by {:.4g} Nm s from its mean of {:.4g} Nm s (limit {:.3g}). Nothing turns a body "
+           "in the air. Likely cause: {}, or {}; --residual-limit allows more{}",
            io::time_text(flight.from_s), io::time_text(flight.until_s),
            flight.angular_momentum_drift_Nm_s, flight.angular_momentum_Nm_s,
            flight.angular_momentum_limit_Nm_s,
@@ -147,10 +147,10 @@ void add_forces(const CheckedMotion& checked, std::vector<io::Fault>& faults) {
   faults.push_back(
       {checked.motion.file, "",
        fmt::format(
-           "the file's contact forces carry {:.4g} N on average and this robot's motion "
-           "asks for {:.4g} N (its weight is {:.4g} N): all in all they are off by {:.4g} N "
-           "(limit {:.3g} N); forces in another unit, axes or of another robot? Without "
-           "these columns forces are solved from the motion; --residual-limit allows more",
+           "the file's contact forces carry {:.4g} N on average. This robot's motion asks for "
+           "{:.4g} N (its weight is {:.4g} N). As vectors they are off by {:.4g} N (limit {:.3g} "
+           "N). Are the forces in another unit, in other axes or of another robot? Without these "
+           "columns forces are solved from the motion; --residual-limit allows more",
            up_N(checked.contacts.guide_N), up_N(checked.demand.forces_N), weight_N, error_N,
            limit_N)});
 }
@@ -183,7 +183,7 @@ void require_physical(const CheckedMotion& checked, const BaseResidual& residual
         {checked.motion.file, "", sentence(what, peak, unit, window_s, checked.motion, question)});
   };
   const auto require = [&](const ResidualPeak& peak, const char* what, const char* unit) {
-    require_over(residual.window_s, "is it this robot's motion", peak, what, unit);
+    require_over(residual.window_s, "Is it this robot's motion", peak, what, unit);
   };
   require(residual.force, "a force on the base", "N");
   require(residual.moment, "a moment about the centre of mass", "Nm");
@@ -191,7 +191,7 @@ void require_physical(const CheckedMotion& checked, const BaseResidual& residual
           "a torque of joints without an actuator (forces of slides times the robot's size)", "Nm");
   if (faults.empty()) {
     const double window_s = std::min(residual.lasting_window_s, checked.motion.duration_s());
-    const char* question = "it would topple or slide away: does it stay above what it stands on";
+    const char* question = "It would topple or slide away: does it stay above what it stands on";
     require_over(window_s, question, residual.lasting_force, "a force on the base", "N");
     require_over(window_s, question, residual.lasting_moment, "a moment about the centre of mass",
                  "Nm");

@@ -51,8 +51,8 @@ void leave_out_windows(const CheckedMotion& checked, MatrixXd& change_Nm) {
 
 std::string help_words(const CheckedMotion& checked, bool by_sharing) {
   if (by_sharing) {
-    return "other forces of the points that touch would move the base alike; contact forces or "
-           "joint torques in the log would tell";
+    return "contact forces can be shared among the points that touch in more than one way; contact "
+           "forces or joint torques in the log would tell";
   }
   if (checked.motion.acceleration_doubt.size() > 0) {
     return fmt::format("accelerations are derived from {}; {} would tell",

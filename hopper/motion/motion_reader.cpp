@@ -10,6 +10,7 @@
 #include "actuator/trajectory/angle_unwrap.hpp"
 #include "actuator/trajectory/columns.hpp"
 #include "actuator/trajectory/one_time.hpp"
+#include "actuator/trajectory/units_row.hpp"
 #include "hopper/motion/ground_line.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "hopper/motion/stated_columns.hpp"
@@ -71,7 +72,10 @@ class MotionReader {
   const dynamics::Tree& tree() const { return robot_.tree; }
 
   io::CsvReader opened() const {
-    if (source_.bare.order.empty()) return io::CsvReader(source_.file);
+    if (source_.bare.order.empty()) {
+      return io::CsvReader(source_.file, io::CsvReader::CutEnd::kRefused,
+                           io::CsvReader::UnitsRow::kTaken);
+    }
     return {source_.file, headers_of(source_.bare, channels_)};
   }
 
@@ -89,7 +93,9 @@ class MotionReader {
                  fmt::format("\"{}\" and \"{}\" are both mapped to {}", csv_.header()[other.column],
                              mapping.column, channels_[mapping.channel].header));
     }
-    sources_.push_back({*column, mapping.channel, mapping.factor});
+    const double factor = actuator::with_units_row(
+        csv_, *column, channels_[mapping.channel].dimension, mapping.factor, mapping.factor != 1.0);
+    sources_.push_back({*column, mapping.channel, factor});
   }
 
   void take_stated_columns() {
@@ -107,7 +113,9 @@ class MotionReader {
       if (header == "t" || header == "time") header = "time_s";
       for (std::size_t i = 0; i < channels_.size(); ++i) {
         if (channels_[i].header != header || source_of(i) || is_taken(column)) continue;
-        sources_.push_back({column, i, 1.0});
+        const double factor =
+            actuator::with_units_row(csv_, column, channels_[i].dimension, 1.0, false);
+        sources_.push_back({column, i, factor});
       }
     }
   }
@@ -280,8 +288,9 @@ class MotionReader {
   double next_stamp_s() { return static_cast<double>(counted_++) / source_.bare.rows_per_s; }
 
   double number(const Source& source) const {
-    const double value = csv_.number(source.column) * source.factor;
     const bool is_time = &source == source_of(0);
+    const double value =
+        (is_time ? csv_.time(source.column) : csv_.number(source.column)) * source.factor;
     csv_.require_within(source.column, value,
                         is_time ? actuator::Clock::kLatest_s : actuator::kGreatestValue);
     return value;

@@ -36,6 +36,7 @@ enum class Says {
   kBus,
   kWinding,
   kCase,
+  kElectronics,
 };
 
 struct Word {
@@ -49,6 +50,8 @@ constexpr Word kWords[] = {
     {"timestamp", Says::kTime},
     {"stamp", Says::kTime},
     {"clock", Says::kTime},
+    {"zeit", Says::kTime},
+    {"zeitstempel", Says::kTime},
     {"run", Says::kRun},
     {"trial", Says::kRun},
     {"episode", Says::kRun},
@@ -62,6 +65,8 @@ constexpr Word kWords[] = {
     {"angle", Says::kPosition},
     {"theta", Says::kPosition},
     {"encoder", Says::kPosition},
+    {"ang", Says::kPosition},
+    {"winkel", Says::kPosition},
     {"qd", Says::kVelocity},
     {"dq", Says::kVelocity},
     {"qdot", Says::kVelocity},
@@ -69,24 +74,29 @@ constexpr Word kWords[] = {
     {"velocity", Says::kVelocity},
     {"speed", Says::kVelocity},
     {"omega", Says::kVelocity},
+    {"drehzahl", Says::kVelocity},
     {"i", Says::kCurrent},
     {"iq", Says::kCurrent},
     {"current", Says::kCurrent},
     {"cur", Says::kCurrent},
+    {"strom", Says::kCurrent},
     {"tau", Says::kTorque},
     {"torque", Says::kTorque},
     {"trq", Says::kTorque},
     {"effort", Says::kTorque},
     {"moment", Says::kTorque},
+    {"drehmoment", Says::kTorque},
     {"force", Says::kForce},
     {"v", Says::kVoltage},
     {"u", Says::kVoltage},
     {"voltage", Says::kVoltage},
     {"volt", Says::kVoltage},
+    {"spannung", Says::kVoltage},
     {"duty", Says::kDuty},
     {"pwm", Says::kDuty},
     {"temp", Says::kTemperature},
     {"temperature", Says::kTemperature},
+    {"temperatur", Says::kTemperature},
     {"cmd", Says::kCommanded},
     {"command", Says::kCommanded},
     {"commanded", Says::kCommanded},
@@ -121,6 +131,15 @@ constexpr Word kWords[] = {
     {"coil", Says::kWinding},
     {"case", Says::kCase},
     {"housing", Says::kCase},
+    {"fet", Says::kElectronics},
+    {"mosfet", Says::kElectronics},
+    {"inverter", Says::kElectronics},
+    {"driver", Says::kElectronics},
+    {"esc", Says::kElectronics},
+    {"board", Says::kElectronics},
+    {"pcb", Says::kElectronics},
+    {"mcu", Says::kElectronics},
+    {"ambient", Says::kElectronics},
 };
 
 const Word* find_word(std::string_view text) {
@@ -233,6 +252,7 @@ std::optional<Quantity> quantity_of(Says kind, const Reading& by, bool is_linear
     case Says::kDuty:
       return Quantity::kDuty;
     case Says::kTemperature:
+      if (by.has(Says::kElectronics)) return std::nullopt;
       return by.has(Says::kCase) ? Quantity::kCaseTemperature : Quantity::kWindingTemperature;
     default:
       return std::nullopt;
@@ -252,6 +272,13 @@ std::string words_text(const Reading& reading, const std::optional<io::Unit>& un
   return text;
 }
 
+bool is_count(const std::vector<std::string>& words) {
+  return std::any_of(words.begin(), words.end(), [](const std::string& each) {
+    const std::string small = io::in_small_letters(each);
+    return small == "counts" || small == "ticks" || small == "cnt" || small == "lsb";
+  });
+}
+
 }  // namespace
 
 ColumnGuess guess_by_name(const std::string& column, const std::string& unit_below) {
@@ -264,7 +291,9 @@ ColumnGuess guess_by_name(const std::string& column, const std::string& unit_bel
   const std::optional<Says> by_unit = parts.unit ? kind_of(parts.unit->dimension) : std::nullopt;
   const std::optional<Says> kind = by_unit ? by_unit : by_words;
   if (!kind) {
-    guess.why = "its name says no quantity of a rig";
+    guess.why = is_count(parts.words)
+                    ? "counts are no angle; a quantity with \"scale\", the rad of one, reads them"
+                    : "its name says no quantity of a rig";
     return guess;
   }
   const bool is_linear = parts.unit && (parts.unit->dimension == Dimension::kLength ||
@@ -277,7 +306,14 @@ ColumnGuess guess_by_name(const std::string& column, const std::string& unit_bel
   if (is_unit_of(parts.unit, *guess.quantity)) guess.unit = parts.unit;
   guess.why = words_text(reading, guess.unit);
   const bool needs_unit = !unit_of(*guess.quantity).empty();
-  const bool is_agreed = !by_words || by_words == kind;
+  const bool is_agreed = (!by_words || by_words == kind) && !parts.other && parts.ampere.empty();
+  if (parts.other) {
+    guess.why += fmt::format("; {} stands there too, and contradicts it", parts.other->name);
+  }
+  if (!parts.ampere.empty()) {
+    guess.why += fmt::format("; {}: the actuator's torque constant must be per that ampere",
+                             parts.ampere == "rms" ? "an rms value" : "an amplitude");
+  }
   guess.is_sure = is_agreed && (guess.unit || !needs_unit);
   return guess;
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "io/text/unit_spelling.hpp"
+
 namespace torquewright::identification {
 namespace {
 
@@ -33,18 +35,23 @@ std::vector<std::string> split(std::string_view name) {
 
 /// A unit as people write it where the table of units has another word for it.
 std::optional<io::Unit> find_written_unit(std::string_view name) {
-  struct Spelling {
-    std::string_view written, unit;
-  };
-  static constexpr Spelling kSpellings[] = {
-      {"C", "degC"},        {"N m", "Nm"},       {"N*m", "Nm"},    {"N.m", "Nm"},
-      {"degree", "deg"},    {"degrees", "deg"},  {"RPM", "rpm"},   {"turns", "rev"},
-      {"turns/s", "rev/s"}, {"radps", "rad/s"},  {"dps", "deg/s"}, {"sec", "s"},
-      {"seconds", "s"},     {"amps", "A"},       {"volts", "V"},   {"msec", "ms"},
-      {"m_s", "m/s"},       {"turns_s", "rev/s"}};
-  const auto* found = std::find_if(std::begin(kSpellings), std::end(kSpellings),
-                                   [&](const Spelling& each) { return each.written == name; });
-  return io::find_unit(found == std::end(kSpellings) ? name : found->unit);
+  if (name == "C") return io::find_unit("degC");
+  if (name == "radps" || name == "dps") return io::find_unit(name == "dps" ? "deg/s" : "rad/s");
+  if (name.ends_with("_s")) {
+    const std::string quotient = std::string(name.substr(0, name.size() - 2)) + "/s";
+    if (const auto unit = io::find_unit(quotient)) return unit;
+  }
+  return io::find_unit(name);
+}
+
+/// "rms" of "Arms" and "A_rms".
+std::string ampere_of(std::string_view unit) {
+  const std::string spelt = io::unit_spelling(unit);
+  return spelt == "A_rms" ? "rms" : spelt == "A_peak" ? "peak" : "";
+}
+
+std::optional<io::Unit> find_unit_or_ampere(std::string_view name) {
+  return ampere_of(name).empty() ? find_written_unit(name) : io::find_unit("A");
 }
 
 /// What stands in brackets at a name's end, and the name before it; all of it where none do.
@@ -73,10 +80,16 @@ std::optional<io::Unit> take_unit_at_end(std::string_view& name) {
 ColumnWords words_of(std::string_view column, std::string_view unit_below) {
   auto [name, in_brackets] = before_brackets(column);
   ColumnWords found;
-  found.unit = find_written_unit(unit_below);
-  const std::optional<io::Unit> bracketed = find_written_unit(in_brackets);
-  const std::optional<io::Unit> ending = bracketed ? bracketed : take_unit_at_end(name);
-  if (!found.unit) found.unit = ending;
+  found.unit = find_unit_or_ampere(unit_below);
+  found.ampere = ampere_of(found.unit ? unit_below : in_brackets);
+  for (const std::optional<io::Unit>& each :
+       {find_unit_or_ampere(in_brackets), take_unit_at_end(name)}) {
+    if (!found.unit) {
+      found.unit = each;
+    } else if (each && !found.other && each->name != found.unit->name) {
+      found.other = each;
+    }
+  }
   found.words = split(name);
   return found;
 }

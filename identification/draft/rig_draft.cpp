@@ -11,6 +11,7 @@
 
 #include "identification/draft/numbers.hpp"
 #include "io/faults/refusal.hpp"
+#include "io/text/letter_case.hpp"
 #include "io/text/wording.hpp"
 
 namespace torquewright::identification {
@@ -211,6 +212,14 @@ bool has(const RigDraft& draft, Quantity quantity) {
                      [&](const ColumnGuess& each) { return each.quantity == quantity; });
 }
 
+/// Whether a column's own name says that it is of the joint.
+bool names_a_side(const RigDraft& draft) {
+  return std::any_of(draft.columns.begin(), draft.columns.end(), [](const ColumnGuess& each) {
+    const std::string name = io::in_small_letters(each.column);
+    return name.find("joint") != name.npos || name.find("output") != name.npos;
+  });
+}
+
 std::vector<std::string> what_is_open(const RigDraft& draft) {
   std::vector<std::string> open;
   if (!has(draft, Quantity::kTime)) {
@@ -222,6 +231,15 @@ std::vector<std::string> what_is_open(const RigDraft& draft) {
         "Time begins again at row {} of the data, and no column changes just there: where runs "
         "follow one another, add a column that names them, of the quantity \"run\".",
         draft.unnamed_run + 1));
+  }
+  const bool has_output =
+      has(draft, Quantity::kOutputPosition) || has(draft, Quantity::kOutputVelocity);
+  const bool has_motor =
+      has(draft, Quantity::kMotorPosition) || has(draft, Quantity::kMotorVelocity);
+  if (has_output && !has_motor && !names_a_side(draft)) {
+    open.emplace_back(
+        "Angle and speed are taken for the output's: where the encoder sits on the rotor, the "
+        "quantities are motor_position_rad and motor_velocity_rad_s.");
   }
   if (!draft.joints.empty()) {
     open.push_back(fmt::format(

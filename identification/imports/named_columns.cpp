@@ -42,8 +42,10 @@ void require_meanings(const std::string& file, const ImportedLog& log) {
   if (has_time && log.columns.size() > 1) return;
   throw io::SpecError(
       {{file, "",
-        fmt::format("{} among its columns: {}", has_time ? "nothing known but the time" : "no time",
-                    io::listed(log.header))}});
+        fmt::format("{} among its columns: {}; of another program's table `torquewright init rig "
+                    "--from {}` drafts what the columns are",
+                    has_time ? "nothing known but the time" : "no time", io::listed(log.header),
+                    file)}});
 }
 
 /// Columns, from 0, in which something stood that is no finite number.

@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "io/text/number_text.hpp"
+#include "io/text/unit_spelling.hpp"
 #include "io/text/wording.hpp"
 
 namespace torquewright::io {
@@ -29,6 +30,9 @@ struct PrintedUnit {
 
 constexpr double kRpm = std::numbers::pi / 30.0;
 constexpr double kDegree = std::numbers::pi / 180.0;
+constexpr double kInch_m = 0.0254;
+constexpr double kOunce_kg = 0.45359237 / 16.0;  // exact by definition, as the inch
+constexpr double kOunceForceInch_Nm = kOunce_kg * 9.80665 * kInch_m;
 
 constexpr PrintedUnit kPrintedUnits[] = {
     {"ohm", "ohm", 1.0},
@@ -46,8 +50,13 @@ constexpr PrintedUnit kPrintedUnits[] = {
     {"mNm", "Nm", 1e-3},
     {"Ncm", "Nm", 1e-2},
     {"kgf_cm", "Nm", 0.0980665},
+    {"ozf_in", "Nm", kOunceForceInch_Nm},
+    {"lbf_in", "Nm", 16.0 * kOunceForceInch_Nm},
+    {"lbf_ft", "Nm", 192.0 * kOunceForceInch_Nm},
     {"Nm_A", "Nm/A", 1.0},
     {"mNm_A", "Nm/A", 1e-3},
+    {"ozf_in_A", "Nm/A", kOunceForceInch_Nm},
+    {"lbf_in_A", "Nm/A", 16.0 * kOunceForceInch_Nm},
     {"V_s_rad", "V s/rad", 1.0},
     {"V_rpm", "V s/rad", 1.0 / kRpm},
     {"V_krpm", "V s/rad", 1e-3 / kRpm},
@@ -64,6 +73,11 @@ constexpr PrintedUnit kPrintedUnits[] = {
     {"kgcm2", "kg m^2", 1e-4},
     {"gcm2", "kg m^2", 1e-7},
     {"gmm2", "kg m^2", 1e-9},
+    {"kgmm2", "kg m^2", 1e-6},
+    {"ozf_in_s2", "kg m^2", kOunceForceInch_Nm},
+    {"lbf_in_s2", "kg m^2", 16.0 * kOunceForceInch_Nm},
+    {"oz_in2", "kg m^2", kOunce_kg* kInch_m* kInch_m},
+    {"lb_in2", "kg m^2", 16.0 * kOunce_kg* kInch_m* kInch_m},
     {"W", "W", 1.0},
     {"kW", "W", 1e3},
     {"s", "s", 1.0},
@@ -71,17 +85,17 @@ constexpr PrintedUnit kPrintedUnits[] = {
     {"us", "s", 1e-6},
     {"kg", "kg", 1.0},
     {"g", "kg", 1e-3},
+    {"lb", "kg", 16.0 * kOunce_kg},
     {"K", "K", 1.0},
     {"degC", "K", 1.0, 273.15},
 };
 
-/// gcm2 of "g cm^2", Nm_A of "Nm/A": letters and digits count, and what divides.
-std::string plain(std::string name) {
-  std::erase_if(name, [](char letter) { return letter == ' ' || letter == '^'; });
+/// As the table has it: gcm2 of "g cm^2", Nm_A of "N\u00b7m/A".
+std::string plain(const std::string& printed) {
+  std::string name = unit_spelling(printed);
   std::replace(name.begin(), name.end(), '/', '_');
   if (name == "kgm2") return "kg_m2";
-  if (name == "Vs_rad") return "V_s_rad";
-  return name == "Arms" ? "A_rms" : name;
+  return name == "Vs_rad" ? "V_s_rad" : name;
 }
 
 const PrintedUnit* find_printed(const std::string& name, const std::string& of_key) {

@@ -11,6 +11,7 @@
 #include <system_error>
 
 #include "io/faults/spec_error.hpp"
+#include "io/files/table_begin.hpp"
 #include "io/text/iso_time.hpp"
 #include "io/text/one_line.hpp"
 #include "io/text/units.hpp"
@@ -149,6 +150,8 @@ std::string_view without_brackets(std::string_view text) {
   return has_brackets && text.size() > 1 ? trimmed(text.substr(1, text.size() - 2)) : text;
 }
 
+constexpr std::size_t kLinesBeforeTable = 100;
+
 /// The separator of a spreadsheet's first line, "sep=;"; 0 of other lines.
 char separator_stated_by(std::string_view line) {
   const std::string_view text = trimmed(line);
@@ -262,7 +265,8 @@ void CsvReader::take_units(UnitsRow units_row) {
   std::vector<std::string> units;
   for (const std::string_view cell : cells_) {
     if (number_of(cell)) return;
-    units.emplace_back(without_brackets(cell));
+    const std::string_view unit = without_brackets(cell);
+    units.emplace_back(unit == "-" || unit == "--" || unit == "n/a" ? "" : unit);
     known += find_unit(units.back()).has_value();
   }
   if (cells_.size() != header_.size() || 2 * known < cells_.size()) return;
@@ -373,8 +377,14 @@ void CsvReader::check_row() const {
     }
     return;
   }
-  std::string message =
-      fmt::format("has {} cells, the header has {}", cells_.size(), header_.size());
+  std::string message = fmt::format("has {} cell{}, the header has {}", cells_.size(),
+                                    cells_.size() == 1 ? "" : "s", header_.size());
+  if (const auto begin = line_ <= kLinesBeforeTable ? find_table_begin(file()) : std::nullopt) {
+    refuse_row(fmt::format(
+        "{}; the table seems to begin with line {} ({}), and what stands before is none: tail -n "
+        "+{} {} > table.csv",
+        message, begin->line, begin->names, begin->line, file()));
+  }
   const bool has_points = std::any_of(cells_.begin(), cells_.end(), [](std::string_view cell) {
     return cell.find('.') != std::string_view::npos;
   });

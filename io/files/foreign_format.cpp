@@ -19,6 +19,17 @@ constexpr std::string_view kPickle =
     "\"import pickle, pandas; pandas.DataFrame(pickle.load(open('FILE', 'rb'))).to_csv('FILE.csv', "
     "index=False)\"";
 
+constexpr std::string_view kUtf16 =
+    "text in UTF-16, which spreadsheets call Unicode text: iconv -f utf-16 -t utf-8 FILE > "
+    "FILE.csv";
+
+constexpr std::string_view kJson =
+    "JSON: python3 -c \"import pandas; pandas.read_json('FILE').to_csv('FILE.csv', "
+    "index=False)\"";
+
+constexpr std::string_view kWebPage =
+    "a web page or XML: was the page about the file downloaded in its place?";
+
 /// The first that fits counts: an archive by what is in it before any other.
 constexpr std::array kFormats{
     Format{"PK\x03\x04"sv, ".npy"sv,
@@ -50,6 +61,17 @@ constexpr std::array kFormats{
     Format{"\xfd"
            "7zXZ"sv,
            ""sv, "compressed by xz: unxz --keep FILE"},
+    Format{"\xff\xfe"sv, ""sv, kUtf16},
+    Format{"\xfe\xff"sv, ""sv, kUtf16},
+    Format{"{"sv, "\n{"sv,
+           "JSON, a line for each row: python3 -c \"import pandas; pandas.read_json('FILE', "
+           "lines=True).to_csv('FILE.csv', index=False)\""},
+    Format{"{"sv, ""sv, kJson},
+    Format{"["sv, "{"sv, kJson},
+    Format{"[["sv, ""sv, kJson},
+    Format{"<!"sv, ">"sv, kWebPage},
+    Format{"<html"sv, ""sv, kWebPage},
+    Format{"<?xml"sv, ""sv, kWebPage},
     Format{"#ROSBAG"sv, ""sv,
            "a recording of ROS 1: rostopic echo -b FILE -p /joint_states > FILE.csv"},
     Format{"\x89MCAP"sv, ""sv,

@@ -48,7 +48,7 @@ Rational read_range_number(const std::string& text, const RangeRule& rule) {
 
 SteppedRange read_stepped_range(const std::string& text, const RangeRule& rule) {
   const std::vector<std::string> parts = parts_of(text);
-  if (parts.size() < 2 || parts.size() > 3) refuse(rule, "a range is FROM:TO:STEP or FROM:TO");
+  if (parts.size() < 2 || parts.size() > 3) refuse(rule, "it is no range");
   SteppedRange range{read_range_number(parts[0], rule), read_range_number(parts[1], rule)};
   if (parts.size() == 3) range.step = number_in(parts[2], rule);
   if (range.step <= 0) refuse(rule, fmt::format("the step {} is not above 0", parts[2]));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "io/text/unit_spelling.hpp"
+
 namespace torquewright::io {
 namespace {
 
@@ -30,6 +32,8 @@ constexpr Unit kUnits[] = {
     {"mNm", Dimension::kTorque, 1e-3},
     {"kNm", Dimension::kTorque, 1e3},
     {"Ncm", Dimension::kTorque, 1e-2},
+    {"kgf_cm", Dimension::kTorque, 0.0980665},
+    {"ozf_in", Dimension::kTorque, kPoundForceInch_Nm / 16.0},
     {"lbf_in", Dimension::kTorque, kPoundForceInch_Nm},
     {"lbf_ft", Dimension::kTorque, 12.0 * kPoundForceInch_Nm},
     {"m", Dimension::kLength, 1.0},
@@ -49,6 +53,13 @@ constexpr Unit kUnits[] = {
     {"degF", Dimension::kTemperature, 5.0 / 9.0, 459.67 * 5.0 / 9.0},
 };
 
+std::optional<Unit> find_listed(const std::string& name) {
+  const auto* found = std::find_if(std::begin(kUnits), std::end(kUnits),
+                                   [&](const Unit& unit) { return unit.name == name; });
+  if (found == std::end(kUnits)) return std::nullopt;
+  return *found;
+}
+
 }  // namespace
 
 std::optional<Unit> find_unit(std::string_view name) {
@@ -56,10 +67,8 @@ std::optional<Unit> find_unit(std::string_view name) {
   std::erase(plain, ' ');  // N m
   // As keys and columns have it.
   if (plain.ends_with("_s") && plain != "_s") plain[plain.size() - 2] = '/';
-  const auto* found = std::find_if(std::begin(kUnits), std::end(kUnits),
-                                   [&](const Unit& unit) { return unit.name == plain; });
-  if (found == std::end(kUnits)) return std::nullopt;
-  return *found;
+  const std::optional<Unit> listed = find_listed(plain);
+  return listed ? listed : find_listed(unit_spelling(name));
 }
 
 std::vector<std::string> unit_names(Dimension dimension) {

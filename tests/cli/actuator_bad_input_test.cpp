@@ -173,9 +173,13 @@ INSTANTIATE_TEST_SUITE_P(
             "time_s;knee_velocity_rad_s;knee_torque_Nm\n0;1,5;1.5\n",
             "line 2, column 3 (knee_torque_Nm): \"1.5\" has a decimal point, and cells before "
             "it have commas"},
-        BadMotion{kHeader + "s,rad/s,Nm\n0,1,1\n",
-                  "line 2: is a row of units, and units are stated elsewhere here; delete the "
-                  "line"},
+        BadMotion{
+            kHeader + "s,rpm,Nm\n0,1,1\n",
+            "the name \"knee_velocity_rad_s\" says rad/s, the row of units below it says rpm; "
+            "state which it is by --column, or delete the row"},
+        BadMotion{kHeader + "s,rad/s,A\n0,1,1\n",
+                  "the row of units says A at \"knee_torque_Nm\", whose unit must be Nm, mNm, kNm, "
+                  "Ncm, kgf_cm, ozf_in, lbf_in or lbf_ft"},
         BadMotion{"time_s,kne_velocity_rad_s\n0,1\n", "no joint \"knee\"; did you mean \"kne\"?"},
         BadMotion{"t," + kHeader + "0,0,1,1\n1,0.1,1,1\n",
                   "\"t\" and \"time_s\" may both be the time; say which it is, --column "
@@ -231,6 +235,36 @@ TEST(SuspiciousMotion, InDegreesIsWarnedOf) {
             std::string::npos)
       << outcome.out;
   EXPECT_NE(outcome.out.find("degrees under a header in rad?"), std::string::npos);
+}
+
+// A row of units counts where names say none; dates are times. Oracle: the same motion in SI.
+TEST(MotionAsLogged, IsTheSameInItsUnitsAndDates) {
+  const Workplace place;
+  place.write("knee.json", d151());
+  place.write("si.csv", "time_s,knee_velocity_rad_s,knee_torque_Nm\n0,1,40\n0.5,2,50\n1,1.5,45\n");
+  place.write("units.csv",
+              "time;knee_w;knee_t\nms;1/min;N\u00b7cm\n0;9,549296585513721;4000\n"
+              "500;19,098593171027442;5000\n1000;14,323944878270581;4500\n");
+  place.write("dates.csv",
+              "time_s,knee_velocity_rad_s,knee_torque_Nm\n2026-05-04T10:00:00,1,40\n"
+              "2026-05-04T10:00:00.5,2,50\n2026-05-04T10:00:01,1.5,45\n");
+  const auto checked = [&](const std::string& file, const std::vector<std::string>& more) {
+    std::vector<std::string> words{"actuator", "check",          file,
+                                   "--joint",  "knee=knee.json", "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome outcome = place.run(words);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return json::parse(outcome.out)["joints"][0];
+  };
+  const json expected = checked("si.csv", {});
+  for (const json& joint : {checked("units.csv", {"--column", "knee_w=knee.velocity", "--column",
+                                                  "knee_t=knee.torque"}),
+                            checked("dates.csv", {})}) {
+    EXPECT_EQ(joint["samples"], expected["samples"]);
+    for (const char* key : {"margin_Nm", "peak_torque_Nm", "rms_torque_Nm"}) {
+      EXPECT_NEAR(joint[key].get<double>(), expected[key].get<double>(), 1e-6) << key;
+    }
+  }
 }
 
 // Also where it is a robot's: no table of it has an end.

@@ -156,6 +156,79 @@ TEST(InitFromSheet, LeavesABoundToTheLintWhereTheRegionNeedsNone) {
   }
 }
 
+// Sheets as makers print them. Oracle: what each number is in the unit of its key, by the
+// definitions of ounce, inch and standard gravity.
+TEST(InitFromSheet, ReadsNumbersAndUnitsAsMakersPrintThem) {
+  struct Case {
+    const char* lines;
+    const char* pointer;
+    double value;
+    const char* unit;
+  };
+  const Case cases[] = {
+      {"22.2 VDC\n\n\n\n\n380KV\n47 m\u03a9\n40 A\n-\nn/a\n", "/motor/resistance_ohm", 47, "mohm"},
+      {"22.2 V\n\n\n\n\nKV380\n47 mOhm\n40 A\n\n\n", "/motor/velocity_constant_rpm_V", 380,
+       "rpm/V"},
+      {"48 V\n\n1,46 N\u00b7m\n\n109 mNm/A\n\n0.463 \u03a9\n\n\n506 g\u00b7cm\u00b2\n",
+       "/drive/peak_torque_Nm", 1.46, "Nm"},
+      {"48 V\n1:9\n\n3 820 min\u207b\u00b9\n0.1 Nm/Arms\n\n0.1 ohm\n60 Arms\n\n"
+       "6.1\u00d710\u207b\u2075 kg\u00b7m\u00b2\n",
+       "/motor/rotor_inertia_kg_m2", 6.1e-5, "kgm2"},
+      {"48 V\n\n\n3 820 min\u207b\u00b9\n0.1 Nm/A\n\n0.1 ohm\n60 A\n\n\n",
+       "/datasheet/no_load_speed_rad_s", 3820, "rpm"},
+      {"24 V\n\n320 oz-in\n\n6.8 oz-in/A\n\n0.21 Ohms\n\n\n\n", "/motor/torque_constant_Nm_A", 6.8,
+       "ozf_in/A"}};
+  for (const Case& each : cases) {
+    const Desk desk;
+    const Outcome outcome = desk.answer(each.lines);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const json stated = desk.document()[json::json_pointer(each.pointer)];
+    EXPECT_DOUBLE_EQ(stated["value"].get<double>(), each.value) << each.lines;
+    EXPECT_EQ(stated["unit"], each.unit) << each.lines;
+    EXPECT_EQ(desk.run({"actuator", "mor", "a.json"}).exit_code, 0) << each.lines;
+  }
+}
+
+// What a sheet says beside its numbers is said to be left aside.
+TEST(InitFromSheet, LeavesRemarksAside) {
+  const Desk desk;
+  const Outcome outcome = desk.answer(
+      "48 V nominal\n9:1 planetary\n\n\nKt = 0.11 Nm/A\n\n0.17 ohm @ 25 \u00b0C\n30 A for 10 "
+      "s\n\n\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json document = desk.document();
+  EXPECT_EQ(document["gearbox"]["ratio"], 9);
+  EXPECT_EQ(document["motor"]["resistance_ohm"], (json{{"value", 0.17}, {"unit", "ohm"}}));
+  EXPECT_EQ(document["drive"]["peak_current_A"], (json{{"value", 30}, {"unit", "A"}}));
+  for (const char* said :
+       {"Supply voltage: \"nominal\" is left aside.", "Gear ratio: \"planetary\"",
+        "Resistance: \"@ 25 \u00b0C\"", "Peak current: \"for 10 s\""}) {
+    EXPECT_NE(outcome.out.find(said), std::string::npos) << said << outcome.out;
+  }
+}
+
+// 6.8 ozf in/A and 10 A, behind nothing: 68 ounces of force an inch away.
+TEST(InitFromSheet, ReckonsInOuncesAndInches) {
+  const Desk desk;
+  ASSERT_EQ(desk.answer("24 V\n\n\n\n6.8 oz-in/A\n\n0.21 Ohms\n10 A\n\n\n").exit_code, 0);
+  const double torque_Nm = 68.0 * 0.45359237 / 16.0 * 9.80665 * 0.0254;
+  EXPECT_NEAR(desk.row_at("0")["torque_max_Nm"].get<double>(), torque_Nm, 1e-9 * torque_Nm);
+}
+
+// A constant per rms ampere says so itself: 0.1 Nm/Arms and 60 A of it behind 9:1.
+TEST(InitFromSheet, TakesTheAmpereOfTheConstantsUnit) {
+  const Desk desk;
+  const Outcome outcome =
+      desk.answer("48 V\n1:9\n\n\n0.1 Nm/Arms\n\n0.1 \u03a9 phase-phase\n60 A\n\n\n");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json document = desk.document();
+  EXPECT_EQ(document["motor"]["torque_constant_convention"], "rms_phase");
+  EXPECT_EQ(document["motor"]["resistance_convention"], "line_to_line");
+  const json& assumed = document["assumed"];
+  EXPECT_EQ(std::count(assumed.begin(), assumed.end(), "/motor/torque_constant_convention"), 0);
+  EXPECT_NEAR(desk.row_at("0")["torque_max_Nm"].get<double>(), 54.0, 54.0 * kRoundOff);
+}
+
 // Nothing is written where an answer is no number, of another unit, too few or too many.
 TEST(InitFromSheet, RefusesWhatIsNoSheet) {
   struct Case {
@@ -163,15 +236,26 @@ TEST(InitFromSheet, RefusesWhatIsNoSheet) {
   };
   const Case cases[] = {
       {"48 V\n9\n\n\n\n100\nsome\n\n\n\n",
-       "standard input, line 7 (Resistance): \"some\" does not begin with"},
+       "standard input, line 7 (Resistance): \"some\": it does not begin with a number"},
       {"48 V\n9\n\n\n\n100\n93 mohmm\n30 A\n\n\n",
        "(Resistance): \"93 mohmm\": \"mohmm\" is none of ohm, mohm"},
       {"-48 V\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n",
        "standard input, line 1 (Supply voltage): \"-48 V\": "},
       {"> 48 V\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n", "\"> 48 V\": Supply voltage is a number"},
       {"48 V, some\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n",
-       "\"some\" does not begin with a number, as 20 A does"},
+       "\"some\": it does not begin with a number; as an example: 20 A"},
       {"48 V\n9\n", "standard input: ends before answer 3 of 10 (Peak torque)"},
+      {"6S\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n",
+       "\"6S\": a count of cells; of lithium cells 6 are 22.2 V"},
+      {"48 V\n9\n\n\n\n7.2 V/krpm\n93 mohm\n30 A\n\n\n",
+       "\"7.2 V/krpm\": a back-EMF constant; where its volts are the amplitude between two leads, "
+       "Kv "
+       "is 138.9 rpm/V"},
+      {"48 V\n9\n\n\n\n100\n93 N\u00b7mm\n30 A\n\n\n", "\"N\u00b7mm\" is none of ohm, mohm"},
+      {"24-48 V\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n", "\"24-48 V\": it is a range"},
+      {"48 V\n9\n\n4,820 rpm\n\n100\n93 mohm\n30 A\n\n\n",
+       "\"4,820 rpm\": the comma may stand for thousands or for decimals; write 4820 or 4.820"},
+      {"48 V\n9\n\n\n\n100\n93 Mohm\n30 A\n\n\n", "\"Mohm\" is none of ohm, mohm"},
       {"", "standard input: ends before answer 1 of 10"},
       {"48 V\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n7\n",
        "standard input: goes on after 10 answers with \"7\""},

@@ -61,7 +61,7 @@ TEST(StatedUnits, KeepWhatElseIsSaid) {
 }
 
 TEST(StatedUnits, OfAnotherKindAreFaults) {
-  for (const char* unit : {"mohms", "V", "", "A_rms"}) {
+  for (const char* unit : {"kohms", "V", "", "A_rms"}) {
     const Taken read = taken(motor_with("resistance_ohm", {{"value", 93}, {"unit", unit}}));
     ASSERT_EQ(read.faults.size(), 1u) << unit;
     EXPECT_EQ(read.faults[0].path, "/motor/resistance_ohm/unit");

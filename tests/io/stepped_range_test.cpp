@@ -48,8 +48,8 @@ TEST(SteppedRange, SaysWhyATextIsNone) {
     }
     return "taken";
   };
-  EXPECT_EQ(why("8"), "a range is FROM:TO:STEP or FROM:TO");
-  EXPECT_EQ(why("1:2:3:4"), "a range is FROM:TO:STEP or FROM:TO");
+  EXPECT_EQ(why("8"), "it is no range");
+  EXPECT_EQ(why("1:2:3:4"), "it is no range");
   EXPECT_EQ(why("8:x"), "\"x\" is not a number");
   EXPECT_EQ(why(":9"), "\"\" is not a number");
   EXPECT_EQ(why("8:9:0"), "the step 0 is not above 0");

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <filesystem>
@@ -22,81 +22,13 @@
 #include "io/documents/stated_units.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/faults/spec_error.hpp"
+#include "src/commands/shared/sheet_answer.hpp"
 
 namespace torquewright::cli {
 namespace {
 
 using actuator::CurrentConvention;
 using nlohmann::ordered_json;
-
-constexpr const char* kRatio = "/gearbox/ratio";
-constexpr const char* kOfPhase = "phase";
-constexpr const char* kOfTerminals = "line_to_line";
-
-/// "> 93 mohm phase" as its number, its unit, the word behind it and what stands before it; or, in
-/// the place of a ratio, the document of the gearbox that has it.
-struct Typed {
-  std::string file;
-  double number = 0.0;
-  std::string unit;
-  std::string word;
-  std::string bound;  ///< As documents have it; empty: none.
-};
-
-/// How sheets print a bound.
-struct BoundMark {
-  std::string_view mark;
-  const char* bound;
-};
-
-constexpr BoundMark kBoundMarks[] = {
-    {">=", "at_least"}, {">", "at_least"}, {"\u2265", "at_least"}, {"at least", "at_least"},
-    {"<=", "at_most"},  {"<", "at_most"},  {"\u2264", "at_most"},  {"at most", "at_most"}};
-
-std::string without_blanks_around(std::string text) {
-  text.erase(0, text.find_first_not_of(' '));
-  text.erase(text.find_last_not_of(' ') + 1);
-  return text;
-}
-
-/// The answer without the mark of a bound that it begins with.
-std::string without_bound(const std::string& answer, Typed& typed) {
-  for (const BoundMark& each : kBoundMarks) {
-    if (!answer.starts_with(each.mark)) continue;
-    typed.bound = each.bound;
-    return without_blanks_around(answer.substr(each.mark.size()));
-  }
-  return answer;
-}
-
-/// "48 V" and "20 A" of "48 V, 20 A", which is one answer to the first question; else the second is
-/// empty.
-std::pair<std::string, std::string> parts_of(const SheetQuestion& question,
-                                             const std::string& answer) {
-  const std::size_t comma = answer.find(", ");
-  if (question.pointer != "/drive/bus_voltage_V" || comma == std::string::npos) return {answer, ""};
-  return {answer.substr(0, comma), without_blanks_around(answer.substr(comma + 2))};
-}
-
-std::optional<Typed> taken_apart(const SheetQuestion& question, const std::string& whole) {
-  Typed typed;
-  if (question.pointer == kRatio && whole.ends_with(".json")) {
-    typed.file = whole;
-    return typed;
-  }
-  const std::string answer = without_bound(whole, typed);
-  const char* end = answer.data() + answer.size();
-  const auto [rest, error] = std::from_chars(answer.data(), end, typed.number);
-  if (error != std::errc() || !std::isfinite(typed.number)) return std::nullopt;
-  typed.unit = without_blanks_around(std::string(rest, end));
-  if (question.pointer == kRatio && typed.unit == ":1") typed.unit.clear();
-  for (const char* word : {kOfPhase, kOfTerminals}) {
-    if (question.pointer != "/motor/resistance_ohm" || !typed.unit.ends_with(word)) continue;
-    typed.word = word;
-    typed.unit = without_blanks_around(typed.unit.substr(0, typed.unit.size() - typed.word.size()));
-  }
-  return typed;
-}
 
 ordered_json value_of(const Typed& typed) {
   const bool is_whole = std::abs(typed.number) < 1e9 && typed.number == std::round(typed.number);
@@ -139,9 +71,9 @@ class Sheet {
     for (std::size_t i = 0; i < answers.size(); ++i) {
       if (answers[i].empty()) continue;
       const auto [first, second] = parts_of(kSheetQuestions[i], answers[i]);
-      known_[std::string(kSheetQuestions[i].pointer)] = *taken_apart(kSheetQuestions[i], first);
+      known_[std::string(kSheetQuestions[i].pointer)] = taken_apart(kSheetQuestions[i], first);
       if (second.empty()) continue;
-      known_[std::string(kSupplyCurrent.pointer)] = *taken_apart(kSupplyCurrent, second);
+      known_[std::string(kSupplyCurrent.pointer)] = taken_apart(kSupplyCurrent, second);
     }
   }
 
@@ -162,6 +94,8 @@ class Sheet {
       add_envelope();
     }
     assume_bounds();
+    name_about();
+    name_remarks();
     if (!assumed_.empty()) document_["assumed"] = assumed_;
     return {io::json_layout(document_), explanation_};
   }
@@ -199,6 +133,27 @@ class Sheet {
     }
   }
 
+  void name_about() {
+    std::string names;
+    for (const SheetQuestion& question : kSheetQuestions) {
+      const auto found = known_.find(question.pointer);
+      if (found == known_.end() || !found->second.is_about) continue;
+      names += (names.empty() ? "" : ", ") + std::string(question.name);
+    }
+    if (!names.empty()) {
+      explanation_ += fmt::format("The sheet says \"about\"; taken as it stands: {}.\n", names);
+    }
+  }
+
+  void name_remarks() {
+    for (const SheetQuestion& question : kSheetQuestions) {
+      const auto found = known_.find(question.pointer);
+      if (found == known_.end() || found->second.remark.empty()) continue;
+      explanation_ +=
+          fmt::format("{}: \"{}\" is left aside.\n", question.name, found->second.remark);
+    }
+  }
+
   void add_motor() {
     const bool is_by_kv = !has("/motor/torque_constant_Nm_A");
     put("motor", "torque_constant_Nm_A", "/motor/torque_constant_Nm_A");
@@ -217,9 +172,13 @@ class Sheet {
     put("motor", "rotor_inertia_kg_m2", "/motor/rotor_inertia_kg_m2");
   }
 
-  /// By the two constants where both are printed, else by the ampere of a current.
+  /// By the ampere in Kt's own unit, by the two constants where both are printed, else by the
+  /// ampere of a current.
   CurrentConvention concluded_convention() {
     const std::string pointer = "/motor/torque_constant_convention";
+    const std::string& ampere = known_.at("/motor/torque_constant_Nm_A").ampere;
+    if (ampere == "rms") return CurrentConvention::kRmsPhase;
+    if (ampere == "peak") return CurrentConvention::kPeakPhase;
     if (has("/motor/velocity_constant_rpm_V")) {
       if (const auto convention = convention_of_constants()) return *convention;
     }
@@ -244,8 +203,9 @@ class Sheet {
          {CurrentConvention::kDc, CurrentConvention::kPeakPhase, CurrentConvention::kRmsPhase}) {
       if (std::abs(share / back_emf_share(each) - 1.0) > kFits) continue;
       assume("/motor/torque_constant_convention",
-             fmt::format("60 / (2 pi Kv Kt) is {:.3g}, and {:.3g} where Kt is of this ampere",
-                         share, back_emf_share(each)));
+             fmt::format("{0}: 60 / (2 pi Kv Kt) is {1:.3g}, and is {2:.3g} where Kt is per "
+                         "ampere of {0}",
+                         name_of(each), share, back_emf_share(each)));
       return each;
     }
     return std::nullopt;
@@ -306,7 +266,9 @@ class Sheet {
       if (kv.is_object()) stated = kv;
       stated["side"] = "motor";
     }
-    if (sheet.size() > 1) document_["datasheet"] = sheet;
+    if (sheet.size() == 1) return;
+    document_["datasheet"] = sheet;
+    explanation_ += "`actuator lint` holds what the sheet prints against the rest.\n";
   }
 
   void add_envelope() {
@@ -380,19 +342,26 @@ bool takes_bound(std::string_view pointer) {
          pointer != kSupplyCurrent.pointer;
 }
 
+/// With the unit as it was typed.
+std::string message_of(const io::Fault& fault, const Typed& typed) {
+  const std::string spelt = fmt::format("\"{}\" is none of", typed.unit);
+  if (!fault.message.starts_with(spelt)) return fault.message;
+  return fmt::format("\"{}\" is none of{}", typed.typed_unit, fault.message.substr(spelt.size()));
+}
+
 std::optional<std::string> objection(const SheetQuestion& question, const std::string& answer) {
-  const std::optional<Typed> number = taken_apart(question, answer);
-  if (!number) {
-    return fmt::format("\"{}\" does not begin with a number, as {} does", answer, question.example);
+  const Typed number = taken_apart(question, answer);
+  if (!number.fault.empty()) {
+    return fmt::format("\"{}\": {}; as an example: {}", answer, number.fault, question.example);
   }
-  if (!number->bound.empty() && !takes_bound(question.pointer)) {
+  if (!number.bound.empty() && !takes_bound(question.pointer)) {
     return fmt::format("\"{}\": {} is a number, not a bound", answer, question.name);
   }
   try {
-    if (!number->file.empty()) check_gearbox(number->file);
-    if (number->file.empty()) checked(question.pointer, *number);
+    if (!number.file.empty()) check_gearbox(number.file);
+    if (number.file.empty()) checked(question.pointer, number);
   } catch (const io::SpecError& error) {
-    return fmt::format("\"{}\": {}", answer, error.faults().front().message);
+    return fmt::format("\"{}\": {}", answer, message_of(error.faults().front(), number));
   }
   return std::nullopt;
 }

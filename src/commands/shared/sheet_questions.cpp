@@ -6,6 +6,7 @@
 
 #include <cstdio>
 #include <iostream>
+#include <string_view>
 
 #include "io/faults/refusal.hpp"
 
@@ -26,9 +27,18 @@ std::string number_of(std::size_t question) {
   return fmt::format("{} of {}", question + 1, kSheetQuestions.size());
 }
 
+/// What sheets print, and people type, where there is no number.
+std::string known_part(std::string answer) {
+  for (const std::string_view none : {"-", "--", "\u2013", "\u2014", "n/a", "N/A", "n.a.", "none",
+                                      "?", "unknown", "not stated"}) {
+    if (answer == none) return "";
+  }
+  return answer;
+}
+
 std::string next_line(std::size_t question, bool is_asked) {
   std::string line;
-  if (std::getline(std::cin, line)) return trimmed(line);
+  if (std::getline(std::cin, line)) return known_part(trimmed(line));
   if (is_asked) say("\n");
   io::refuse("standard input",
              fmt::format("ends before answer {} ({}); an empty line says that a number is not "

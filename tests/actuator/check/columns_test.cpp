@@ -109,7 +109,7 @@ TEST(ColumnsDocument, RefusesWithThePath) {
   EXPECT_EQ(
       faults_of_columns(R"([{"column": "a", "joint": "k", "quantity": "torque", "unit": "deg"}])"),
       "c.json#/columns/0/unit: \"deg\" is no unit of torque, which must be Nm, mNm, kNm, Ncm, "
-      "lbf_in or lbf_ft");
+      "kgf_cm, ozf_in, lbf_in or lbf_ft");
 }
 
 TEST(ColumnsDocument, ExamplesAreGood) {

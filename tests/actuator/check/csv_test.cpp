@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(
         MistakenText{"a,b\n1,\n", "line 2, column 2 (b): empty, must be a number"},
         MistakenText{"a,b\n1,0x10\n", "line 2, column 2 (b): \"0x10\" is not a number"},
         MistakenText{"a,b\n1,2 3\n", "line 2, column 2 (b): \"2 3\" is not a number"},
-        MistakenText{"a,b\n1,2\n3\n", "line 3: has 1 cells, the header has 2"},
+        MistakenText{"a,b\n1,2\n3\n", "line 3: has 1 cell, the header has 2"},
         MistakenText{"a,b\n1.5,2,3\n", "line 2: has 3 cells, the header has 2"},
         MistakenText{"a,b\n1,2,3,4,5\n", "line 2: has 5 cells, the header has 2"},
         MistakenText{
@@ -145,13 +145,13 @@ INSTANTIATE_TEST_SUITE_P(
                      "line 2, column 2 (b): \"2.5\" has a decimal point, and cells before it have "
                      "commas"},
         MistakenText{"a;b\n1;2\n1\t2\n",
-                     "line 3: has 1 cells, the header has 2; separated otherwise than the header? "
+                     "line 3: has 1 cell, the header has 2; separated otherwise than the header? "
                      "one table has one separator"},
         MistakenText{"a,b,c\n1,2,3\n1;2,3\n",
                      "line 3: has 2 cells, the header has 3; separated otherwise than the header? "
                      "one table has one separator"},
         MistakenText{"a;b;c\n1,5;2;3\n1.5,2,3\n",
-                     "line 3: has 1 cells, the header has 3; separated otherwise than the header? "
+                     "line 3: has 1 cell, the header has 3; separated otherwise than the header? "
                      "one table has one separator"},
         MistakenText{"a;b\n1.234,5;2\n", "line 2, column 1 (a): \"1.234,5\" is not a number"},
         MistakenText{"a,b\n1;2\n",
@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(
         MistakenText{"a|b\n1|2\n",
                      "line 1: the header has one name, the line behind it has 2 between upright "
                      "lines; one table has one separator, commas, semicolons, tabs or blanks"},
-        MistakenText{"a b\n1 2\n3\n", "line 3: has 1 cells, the header has 2"},
+        MistakenText{"a b\n1 2\n3\n", "line 3: has 1 cell, the header has 2"},
         MistakenText{"a,b\n[s],[m]\n1,2\n",
                      "line 2: is a row of units, and units are stated elsewhere here; delete the "
                      "line"},
@@ -186,7 +186,26 @@ INSTANTIATE_TEST_SUITE_P(
         MistakenText{std::string("\xFF\xFE"
                                  "a\0,\0",
                                  6),
-                     "line 1: holds bytes that are no text; save it as UTF-8"}));
+                     "is no CSV but text in UTF-16, which spreadsheets call Unicode text: iconv -f "
+                     "utf-16 -t utf-8 FILE > FILE.csv"}));
+
+// Files that are no table say what they are and what reads them.
+TEST(Csv, SaysWhatAFileIsThatIsNoTable) {
+  const test::ScratchFolder folder;
+  const std::pair<const char*, const char*> cases[] = {
+      {"Bench 3\nDate,2026/05/04\n\na,b\n1,2\n3,4\n",
+       "line 2: has 2 cells, the header has 1; the table seems to begin with line 4 (a,b), and "
+       "what "
+       "stands before is none: tail -n +4 "},
+      {"{\"a\": [1]}\n", "is no CSV but JSON: "},
+      {"{\"a\": 1}\n{\"a\": 2}\n", "is no CSV but JSON, a line for each row: "},
+      {"<!DOCTYPE html><html>\n", "is no CSV but a web page or XML"}};
+  for (const auto& [text, said] : cases) {
+    const auto file = folder.write("t.csv", text);
+    const std::string refusal = test::refusal([&] { numbers_in(file); }, folder.path());
+    EXPECT_TRUE(refusal.starts_with("t.csv: " + std::string(said))) << refusal;
+  }
+}
 
 // Oracle: the numbers as they stand in a table of commas and points.
 TEST(Csv, ReadsTablesAsSpreadsheetsWriteThem) {
@@ -208,7 +227,7 @@ TEST(Csv, SaysItsDialectAndItsUnits) {
   const test::ScratchFolder folder;
   io::CsvReader table(folder.write("t.csv", "t;q;n\ns;[deg];-\n0,5;2;3\n"),
                       io::CsvReader::CutEnd::kRefused, io::CsvReader::UnitsRow::kTaken);
-  EXPECT_EQ(table.units(), (std::vector<std::string>{"s", "deg", "-"}));
+  EXPECT_EQ(table.units(), (std::vector<std::string>{"s", "deg", ""}));
   ASSERT_TRUE(table.next());
   EXPECT_EQ(table.line(), 3u);
   EXPECT_EQ(table.number(0), 0.5);

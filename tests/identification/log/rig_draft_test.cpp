@@ -66,6 +66,39 @@ TEST(RigDraft, TakesNamesWithUnitsAsTheyAre) {
   EXPECT_TRUE(draft.joints.empty());
 }
 
+// A unit that contradicts the name, one that says whose ampere it is, a temperature of the
+// electronics and counts: none of them passes for certain.
+TEST(RigDraft, MarksWhatIsNotCertain) {
+  const RigDraft draft =
+      drafted("time_s,velocity_rad_s [rpm],Motor Current (Arms),FET_temp (degC),enc_counts",
+              [](double t_s) {
+                return fmt::format("{},{},{},40,{}", t_s, speed_rad_s(t_s) * kRadPerSecondInRpm,
+                                   current_A(t_s), std::floor(1000.0 * angle_rad(t_s)));
+              });
+  EXPECT_EQ(taken_for(draft, "velocity_rad_s [rpm]"), "output_velocity_rad_s rpm");
+  EXPECT_FALSE(guess_of(draft, "velocity_rad_s [rpm]").is_sure);
+  EXPECT_NE(guess_of(draft, "velocity_rad_s [rpm]").why.find("rad/s stands there too"),
+            std::string::npos);
+  EXPECT_EQ(taken_for(draft, "Motor Current (Arms)"), "motor_current_A A");
+  EXPECT_FALSE(guess_of(draft, "Motor Current (Arms)").is_sure);
+  EXPECT_EQ(taken_for(draft, "FET_temp (degC)"), "");
+  EXPECT_EQ(taken_for(draft, "enc_counts"), "");
+}
+
+TEST(RigDraft, ReadsALoggersGermanWithItsUnits) {
+  const RigDraft draft =
+      drafted("Zeit;Drehzahl;Drehmoment;Strom;Winkel\ns;1/min;N\u00b7m;A;\u00b0", [](double t_s) {
+        return fmt::format("{};{};{};{};{}", t_s, speed_rad_s(t_s) * kRadPerSecondInRpm,
+                           std::sin(t_s), current_A(t_s),
+                           angle_rad(t_s) * 180.0 / std::numbers::pi);
+      });
+  EXPECT_EQ(taken_for(draft, "Zeit"), "time_s s");
+  EXPECT_EQ(taken_for(draft, "Drehzahl"), "output_velocity_rad_s rpm");
+  EXPECT_EQ(taken_for(draft, "Drehmoment"), "output_torque_Nm Nm");
+  EXPECT_EQ(taken_for(draft, "Strom"), "motor_current_A A");
+  EXPECT_EQ(taken_for(draft, "Winkel"), "output_position_rad deg");
+}
+
 // Names say what, and nothing says in what: microseconds by their step, rpm and the sign by the
 // derivative of the position.
 TEST(RigDraft, FindsUnitsAndASignByTheNumbers) {
@@ -78,7 +111,7 @@ TEST(RigDraft, FindsUnitsAndASignByTheNumbers) {
   EXPECT_TRUE(guess_of(draft, "velocity").is_reversed);
   EXPECT_FALSE(guess_of(draft, "velocity").is_sure);
   EXPECT_FALSE(draft.is_dynamometer);
-  EXPECT_EQ(draft.open.size(), 1u);
+  EXPECT_EQ(draft.open.size(), 2u);  // The encoder's side, and the load.
 }
 
 // An angle that jumps back at 360 is in degrees, and so is its velocity's unit told beside it.
