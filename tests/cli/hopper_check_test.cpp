@@ -449,7 +449,8 @@ TEST_F(HopperCheck, RefusesAMotionThatIsNone) {
        at = motion.find(",0,0,0,", at + 1)) {
     motion.replace(at, 7, ",0,0.5,0,");
   }
-  expect_refusal(crane(), motion, "a force on the base of 107.9 N over 10 ms is left");
+  expect_refusal(crane(), motion,
+                 "a force on the base of 107.9 N (mean of 10 ms). The limit is 10.79 N");
 }
 
 // Statics: the centre of mass stands at x = 0.5 / 11 = 0.0455 m. 25 mm beyond the front point 107.9
@@ -457,7 +458,7 @@ TEST_F(HopperCheck, RefusesAMotionThatIsNone) {
 TEST_F(HopperCheck, RefusesToStandBesideItsFeet) {
   json robot = crane();
   robot["contacts"][0]["position_m"][0] = 0.0205;
-  expect_refusal(robot, swing(0.0), "it would topple or slide away");
+  expect_refusal(robot, swing(0.0), "It would topple or slide away");
   robot["contacts"][0]["position_m"][0] = 0.0505;
   EXPECT_EQ(check(robot, swing(0.0)).exit_code, 0);
 }
@@ -624,7 +625,7 @@ TEST_F(HopperCheck, HoldsJointsWithoutDrivesToWhatTheyState) {
   limited["joints"][0]["speed_limit_rad_s"] = 100;
   const Outcome passes = check(limited, swing(0));
   EXPECT_EQ(passes.exit_code, 0) << passes.out << passes.err;
-  EXPECT_NE(passes.out.find("no mechanism drives elbow: their own limits"), std::string::npos)
+  EXPECT_NE(passes.out.find("no mechanism drives elbow. Their own limits"), std::string::npos)
       << passes.out;
   limited["joints"][0]["torque_limit_Nm"] = 0.5;
   EXPECT_EQ(check(limited, swing(0)).exit_code, 1);
