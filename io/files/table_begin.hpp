@@ -12,8 +12,8 @@ struct TableBegin {
   std::string names;     ///< That line, cut off where it is long.
 };
 
-/// Looks at the first lines for one of names before two of numbers, all of as many cells; empty: the
-/// first line is it, or none is.
+/// Looks at the first lines for one of names before two of numbers, all of as many cells; empty:
+/// the first line is it, or none is.
 std::optional<TableBegin> find_table_begin(const std::string& file);
 
 }  // namespace torquewright::io
