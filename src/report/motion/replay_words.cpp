@@ -53,9 +53,7 @@ std::string simulation_words(const ReplayOptions& options) {
   return words;
 }
 
-bool has_plan(const hopper::ReplayOptions& options) {
-  return options.controller->name != "policy";
-}
+bool has_plan(const hopper::ReplayOptions& options) { return options.controller->name != "policy"; }
 
 std::string landing_words(const TouchDown& down) {
   return fmt::format("t = {:.4f} s, {:.3g} ms {} than planned; rotation {}", down.time_s,
