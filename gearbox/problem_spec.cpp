@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "gearbox/floors.hpp"
 #include "gearbox/train_parts.hpp"
 #include "io/documents/document.hpp"
 #include "io/documents/schema.hpp"
@@ -216,19 +217,15 @@ class Reader {
   }
 
   void read_floors() {
-    Floors& floors = problem_.floors;
-    floors.forward_efficiency = find("/min_forward_efficiency");
-    floors.backward_efficiency = find("/min_backward_efficiency");
-    floors.hollow_shaft_mm = find("/min_hollow_shaft_diameter_mm");
-    floors.axial_length_mm = find("/max_axial_length_mm");
-    for (const char* key : {"/min_forward_efficiency", "/min_backward_efficiency"}) {
-      if (find(key)) require_for("/friction_coefficient", key + 1);
-    }
-    for (const char* key : {"/min_forward_efficiency", "/min_backward_efficiency",
-                            "/min_hollow_shaft_diameter_mm", "/max_axial_length_mm"}) {
-      if (find(key) && !root().contains("synthesis")) {
-        report(key, "is for a problem with \"synthesis\"; without it teeth alone are searched");
-      }
+    for (const FloorRecord& floor : kFloors) {
+      const std::string key(floor.key);
+      problem_.floors.*floor.limit = find(key.c_str());
+      if (!(problem_.floors.*floor.limit)) continue;
+      const std::string whom = key.substr(1);
+      if (floor.needs_friction) require_for("/friction_coefficient", whom);
+      if (root().contains("synthesis")) continue;  // It chooses widths, and needs a density.
+      if (floor.needs_widths) require_for("/face_width_mm", whom);
+      if (floor.needs_density) require_for("/materials/density_kg_m3", whom);
     }
   }
 
@@ -249,9 +246,9 @@ class Reader {
                          written("min_face_width_mm", request.least_face_width_mm),
                          written("max_face_width_mm", *greatest)));
     }
-    if (!train_parts(problem_.topology).is_the_papers) {
-      report("/synthesis", fmt::format("is for the topology \"{}\" as yet, not for \"{}\"",
-                                       the_papers_topology(), problem_.topology));
+    if (keys.contains("layer_2_module_mm") && train_parts(problem_.topology).layer_count() < 2) {
+      report("/synthesis/layer_2_module_mm",
+             fmt::format("the topology \"{}\" has one layer only", problem_.topology));
     }
     if (problem_.constraints == ConstraintSet::kPaper) {
       report("/constraints", "\"paper\" knows no shifts; synthesis needs \"buildable\"");

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "gearbox/train_parts.hpp"
 #include "io/documents/json_reader.hpp"
 #include "io/files/file_bytes.hpp"
 #include "io/files/sha256.hpp"
@@ -16,24 +17,33 @@ using nlohmann::json;
 
 using Defaults = std::vector<std::pair<std::string, json>>;
 
+/// 12 of every gear that has a minimum. A topology that the schema refuses is not spoken of here.
+json least_teeth(const json& topology) {
+  const TrainParts* parts =
+      topology.is_string() ? find_train_parts(topology.get<std::string>()) : nullptr;
+  if (parts == nullptr) parts = &all_train_parts().front();
+  json teeth = json::object();
+  for (std::size_t i = 0; i < parts->free_gears; ++i) teeth[std::string(parts->gears[i])] = 12;
+  return teeth;
+}
+
 /// Values by pointer, in the order in which they are listed.
-const Defaults& defaults() {
-  static const Defaults list{{"/ratio_tolerance", 0.01},
-                             {"/module_mm", {0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.25}},
-                             {"/planet_count", {3, 4, 5, 6}},
-                             {"/min_teeth", {{"sun", 12}, {"planet_1", 12}, {"planet_2", 12}}},
-                             {"/min_carrier_clearance_rad", 0},
-                             {"/constraints", "buildable"},
-                             {"/objective", "mass"},
-                             {"/friction_coefficient", 0.08},
-                             {"/materials/density_kg_m3", 7850},
-                             {"/materials/steel", "case_hardened"},
-                             {"/synthesis/ring_teeth_off", 1},
-                             {"/synthesis/min_profile_shift", -0.5},
-                             {"/synthesis/max_profile_shift", 1},
-                             {"/synthesis/min_tip_thickness", 0.2},
-                             {"/synthesis/min_face_width_mm", 1}};
-  return list;
+Defaults defaults(const json& topology) {
+  return {{"/ratio_tolerance", 0.01},
+          {"/module_mm", {0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.25}},
+          {"/planet_count", {3, 4, 5, 6}},
+          {"/min_teeth", least_teeth(topology)},
+          {"/min_carrier_clearance_rad", 0},
+          {"/constraints", "buildable"},
+          {"/objective", "mass"},
+          {"/friction_coefficient", 0.08},
+          {"/materials/density_kg_m3", 7850},
+          {"/materials/steel", "case_hardened"},
+          {"/synthesis/ring_teeth_off", 1},
+          {"/synthesis/min_profile_shift", -0.5},
+          {"/synthesis/max_profile_shift", 1},
+          {"/synthesis/min_tip_thickness", 0.2},
+          {"/synthesis/min_face_width_mm", 1}};
 }
 
 /// Where a problem limits no face width. 16 modules are some five circular pitches, the most that
@@ -65,7 +75,8 @@ void assume(const Defaults& list, Json& problem) {
 template <class Json>
 void assume_all(Json& problem) {
   const bool is_width_limited = limits_face_width(problem["synthesis"]);
-  assume(defaults(), problem);
+  const auto topology = problem.find("topology");
+  assume(defaults(topology == problem.end() ? json() : json(*topology)), problem);
   if (!is_width_limited) assume(width_defaults(), problem);
 }
 

@@ -35,6 +35,10 @@ struct Floors {
   std::optional<io::Rational> hollow_shaft_mm = {};
   /// Greatest sum of the layers' face widths.
   std::optional<io::Rational> axial_length_mm = {};
+  std::optional<io::Rational> mass_kg = {};                  ///< Greatest, of the gears.
+  std::optional<io::Rational> reflected_inertia_kg_m2 = {};  ///< Greatest, at the output.
+  /// Greatest, at the output for the same backlash along every mesh's line of action.
+  std::optional<io::Rational> backlash_rad_per_mm = {};
 };
 
 }  // namespace torquewright::gearbox

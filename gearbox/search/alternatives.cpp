@@ -18,6 +18,12 @@ bool holds(const optimization::Box& domain, std::span<const std::int64_t> point)
                     [](const auto& range, std::int64_t value) { return range.contains(value); });
 }
 
+/// Where a ratio is not asked for, nothing may rest on it.
+Problem of_any_ratio(Problem problem) {
+  problem.ratio_tolerance = 1'000'000;
+  return problem;
+}
+
 void keep_only(optimization::Problem& model,
                const std::function<bool(const std::string&, const std::string&)>& keeps) {
   std::erase_if(model.conditions, [&](const auto& condition) {
@@ -56,10 +62,11 @@ Alternatives::Alternatives(const Problem& problem,
                            const std::string& loosened_key)
     : topology_(find_topology(problem.topology)) {
   if (topology_ == nullptr) throw std::logic_error("unknown topology: the reader refuses it");
+  const Problem asked = keeps("ratio", "/ratio_tolerance") ? problem : of_any_ratio(problem);
   for (const std::int64_t planet_count : problem.planet_count) {
     for (const Rational& module_mm : problem.module_mm) {
       optimization::Problem model =
-          topology_->model(problem, planet_count, module_mm, ring_limit(module_mm));
+          topology_->model(asked, planet_count, module_mm, ring_limit(module_mm));
       keep_only(model, keeps);
       for (const optimization::Loosening& loosening : model.loosenings) {
         if (loosening.key == loosened_key) model.goal = loosening.quantity;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "gearbox/floors.hpp"
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/search/alternatives.hpp"
 #include "gearbox/walls.hpp"
@@ -109,6 +110,9 @@ double safe_decimal(const PreciseInterval& quantity, bool is_minimum, bool is_st
 }
 
 double bound_as_it_stands(const Problem& problem, const std::string& key) {
+  for (const FloorRecord& floor : kFloors) {
+    if (floor.key == key) return io::nearest((problem.floors.*floor.limit).value());
+  }
   const std::string gear_prefix = "/min_teeth/";
   if (key.starts_with(gear_prefix)) {
     return static_cast<double>(problem.min_teeth.at(key.substr(gear_prefix.size())));

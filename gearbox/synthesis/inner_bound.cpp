@@ -93,6 +93,7 @@ class CellBound {
       : cell_(cell),
         cutoff_kg_(cutoff_kg),
         widest_mm_(inner.max_face_width_mm[layer]),
+        most_inertia_kg_m2_(inner.max_gear_inertia_kg_m2),
         place_(cell.box),
         range_(layer_values(inner, layer, place_, cutoff_kg)),
         left_(cell.box, place_) {}
@@ -154,6 +155,12 @@ class CellBound {
       cell_.width_mm = std::max(cell_.width_mm, left_.lower(width));
       const double least_kg = left_.lower(mass);
       cell_.mass_kg = std::max(cell_.mass_kg, least_kg);
+      if (!most_inertia_kg_m2_) continue;
+      const Slope inertia = width * range_.inertia_per_width_kg_m2_mm;
+      if (!left_.require(*most_inertia_kg_m2_ - inertia, kMarginSlack * *most_inertia_kg_m2_)) {
+        return false;
+      }
+      cell_.inertia_kg_m2 = std::max(cell_.inertia_kg_m2, left_.lower(inertia));
     }
     return true;
   }
@@ -161,6 +168,7 @@ class CellBound {
   LayerCell& cell_;
   double cutoff_kg_;
   double widest_mm_;
+  std::optional<double> most_inertia_kg_m2_;
   InnerPlace place_;
   LayerValues<Slope> range_;
   ShrinkingBox left_;
@@ -234,13 +242,18 @@ class NodeBound {
     }
     const auto& longest = inner_.max_axial_length_mm;
     if (longest && first.width_mm + second.width_mm > *longest + 1e-6) return false;
+    const auto& heaviest = inner_.max_gear_inertia_kg_m2;
+    if (heaviest && first.inertia_kg_m2 + second.inertia_kg_m2 > *heaviest * (1.0 + kMarginSlack)) {
+      return false;
+    }
     return is_efficient(first, second);
   }
 
   bool is_efficient(const LayerCell& first, const LayerCell& second) const {
     if (!inner_.min_forward_efficiency && !inner_.min_backward_efficiency) return true;
-    // Forwards it grows with each mesh; backwards a / (c (a b + I1)) does not fall with a, and
-    // falls with c only as (b c - I2)/c = b - I2/c grows: it grows with each as well.
+    // Forwards it grows with each mesh, and backwards in a single layer; backwards a / (c (a b +
+    // I1)) does not fall with a, and falls with c only as (b c - I2)/c = b - I2/c grows: it grows
+    // with each as well.
     const auto best =
         train_efficiencies(inner_, first.efficiency[0], first.efficiency[1], second.efficiency[0]);
     return best[0] >= inner_.min_forward_efficiency.value_or(-kInfinity) - kMarginSlack &&
@@ -369,7 +382,7 @@ class NodeBound {
 
 std::optional<double> mass_at(const InnerCase& inner, const std::array<double, 3>& point,
                               double* violation) {
-  double below = 0.0, mass_kg = 0.0, length_mm = 0.0;
+  double below = 0.0, mass_kg = 0.0, length_mm = 0.0, inertia_kg_m2 = 0.0;
   const auto require = [&](double margin) {
     if (!(margin >= 0.0)) below += std::isfinite(margin) ? -margin : 10.0;
   };
@@ -379,12 +392,19 @@ std::optional<double> mass_at(const InnerCase& inner, const std::array<double, 3
     for (const double margin : values.margins) require(margin);
     const double width_mm = greatest(values.width_mm);
     mass_kg += width_mm * values.mass_per_width_kg_mm;
+    inertia_kg_m2 += width_mm * values.inertia_per_width_kg_m2_mm;
     length_mm += width_mm;
     require(inner.max_face_width_mm[layer] - width_mm);
     efficiency[2 * layer] = values.efficiency[0];
     efficiency[2 * layer + 1] = values.efficiency[1];
   }
   if (inner.max_axial_length_mm) require(*inner.max_axial_length_mm - length_mm);
+  // Relative, as wide as the other margins are in modules.
+  const auto require_most = [&](const std::optional<double>& most, double value) {
+    if (most) require(1.0 - value / *most);
+  };
+  require_most(inner.max_mass_kg, mass_kg);
+  require_most(inner.max_gear_inertia_kg_m2, inertia_kg_m2);
   if (inner.sun_under_second_layer) require(sun_clearance_mm(inner, point[1], point[2]));
   const auto train = train_efficiencies(inner, efficiency[0], efficiency[1], efficiency[2]);
   if (inner.min_forward_efficiency) require(train[0] - *inner.min_forward_efficiency);

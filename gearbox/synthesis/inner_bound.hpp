@@ -12,9 +12,10 @@ namespace torquewright::gearbox {
 /// A range of the shift of a layer's planet, for a range of centre distances, and what is known of
 /// the layer's designs in it.
 struct LayerCell {
-  InnerBox box;           ///< Centre distances and shifts that may hold a design.
-  double mass_kg = 0.0;   ///< No layer in it is lighter.
-  double width_mm = 0.0;  ///< Nor narrower.
+  InnerBox box;                ///< Centre distances and shifts that may hold a design.
+  double mass_kg = 0.0;        ///< No layer in it is lighter.
+  double width_mm = 0.0;       ///< Nor narrower.
+  double inertia_kg_m2 = 0.0;  ///< Nor has less inertia at the output, where that is asked.
   std::array<double, 2> efficiency{1.0, 1.0};  ///< Nor loses less in its meshes.
 };
 

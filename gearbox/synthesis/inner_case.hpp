@@ -12,9 +12,12 @@
 
 namespace torquewright::gearbox {
 
-/// Whole numbers and modules of a 3K train: what is left is continuous.
+/// Whole numbers and modules of a train: what is left is continuous.
 struct TrainChoice {
-  std::array<std::int64_t, 5> teeth{};  ///< Sun, planet 1, planet 2, fixed ring, output ring.
+  /// Sun, planet 1, planet 2, fixed ring, output ring; a planetary gearbox has no planet 2 and no
+  /// output ring: 0.
+  std::array<std::int64_t, 5> teeth{};
+  bool has_second_layer() const { return teeth[2] > 0; }
   std::int64_t planet_count = 0;
   std::array<std::size_t, 2> module{};  ///< By layer: places in the lists of modules.
 };
@@ -37,6 +40,8 @@ inline constexpr double kGreatestRuledShift = 1.1;
 /// All numbers of the inner problem but its three variables. Lengths in mm, in modules where said.
 struct InnerCase {
   std::array<double, 5> teeth{};
+  /// Without, the second layer is nothing: of no mass, width or loss, and feasible.
+  bool has_second_layer = true;
   double planets = 0.0;
   double sine_of_half_spacing = 0.0;  ///< sin(pi/n)
   std::array<double, 2> module_mm{};  ///< By layer.
@@ -62,6 +67,9 @@ struct InnerCase {
   std::optional<double> friction;
   std::optional<double> min_forward_efficiency;
   std::optional<double> min_backward_efficiency;
+  std::optional<double> max_mass_kg;
+  std::optional<double> max_gear_inertia_kg_m2;  ///< At the output, without the rotor.
+  double ratio = 1.0;                            ///< Sun over output.
 
   /// Tangential force at the reference circle, of one planet's meshes S-P1, P1-F, P2-O, under the
   /// load: it does not depend on shifts.
@@ -84,6 +92,8 @@ struct LayerValues {
   std::vector<T> margins;   ///< A design exists only where none is below 0.
   std::vector<T> width_mm;  ///< What each tooth asks of the face width; the greatest is taken.
   T mass_per_width_kg_mm;
+  /// Inertia at the output of a width, likewise; 0 over boxes where nothing is asked of it.
+  T inertia_per_width_kg_m2_mm;
   /// Basic efficiencies of the layer's meshes, 1 without friction: S-P1 and P1-F, or P2-O and 1.
   std::array<T, 2> efficiency;
 };

@@ -221,8 +221,9 @@ Shaper<T> shaper_of(const InnerCase& inner, const Mesh<T>& mesh) {
   shaper.base = 0.5 * shaper.teeth * kReferenceCosine;
   const double between = ring.teeth - shaper.teeth;
   if (!(between > 0.0)) return shaper;
-  shaper.tangent =
-      tangent_of_involute(kReferenceInvolute + 2.0 * kReferenceTangent / between * ring.shift);
+  const T involute = kReferenceInvolute + 2.0 * kReferenceTangent / between * ring.shift;
+  if (!(lowest(involute) > 0.0)) return shaper;
+  shaper.tangent = tangent_of_involute(involute);
   shaper.centre = 0.5 * between * kReferenceCosine * sqrt(1.0 + square(shaper.tangent));
   shaper.tip = 0.5 * ring.teeth + inner.shaper_depth + ring.shift - shaper.centre;
   const double half_land_rad = kPi / (2.0 * shaper.teeth) + kReferenceInvolute;
@@ -558,6 +559,40 @@ T sun_share(const InnerCase& inner, const Gear<T>& sun) {
   return rim * (2.0 * size - rim) + square(min(size - rim, T(0.0)));
 }
 
+bool is_inertia_asked(const InnerCase& inner) { return inner.max_gear_inertia_kg_m2.has_value(); }
+
+/// Inertia at the output of a millimetre of width over its mass' constant, as train/inertia.hpp
+/// counts it: planets run with the carrier and spin.
+template <class T>
+T planets_inertia_share(const InnerCase& inner, const T& centre_mm, const Gear<T>& planet,
+                        std::size_t layer) {
+  const double carrier = carrier_speed_per_sun(inner.teeth[0], inner.teeth[3]);
+  const double spin = planet_speed_per_sun(inner.teeth[0], inner.teeth[1], inner.teeth[3]);
+  const double m = inner.module_mm[layer] * 1e-3;
+  const T size_squared = square(m * (planet.teeth + 2.0 * planet.shift));
+  const T arm_squared = square(1e-3 * carrier * centre_mm);
+  return square(inner.ratio) * inner.planets * size_squared *
+         (arm_squared + square(spin) / 8.0 * size_squared);
+}
+
+template <class T>
+T sun_inertia_share(const InnerCase& inner, const Gear<T>& sun) {
+  const double m = inner.module_mm[0] * 1e-3;
+  const double rim = 2.0 * inner.hob_depth * m + 2.0 * inner.wall_mm[0] * 1e-3;
+  const T size = m * (sun.teeth + 2.0 * sun.shift);
+  const T bore = max(size - rim, T(0.0));
+  return square(inner.ratio) / 8.0 * sun_share(inner, sun) * (square(size) + square(bore));
+}
+
+/// Of the output ring, which turns with the output.
+template <class T>
+T output_inertia_share(const InnerCase& inner, const Gear<T>& ring) {
+  const double m = inner.module_mm[1] * 1e-3;
+  const double rim = 2.0 * inner.shaper_depth * m + 2.0 * inner.wall_mm[1] * 1e-3;
+  const T size = m * (ring.teeth + 2.0 * ring.shift);
+  return 0.125 * ring_share(inner, ring, 1) * (square(size) + square(size + rim));
+}
+
 /// The layer of sun, planet 1 and fixed ring.
 template <class T>
 LayerValues<T> first_layer(const InnerCase& inner, const T& centre_mm, const T& shift_1,
@@ -579,9 +614,14 @@ LayerValues<T> first_layer(const InnerCase& inner, const T& centre_mm, const T& 
   const std::array<T, 2> hob_largest{
       largest_hob_radius(inner, sun, lowest_contact(sun_mesh, false)),
       largest_hob_radius(inner, planet_1, lowest_contact(sun_mesh, true))};
-  result.mass_per_width_kg_mm = inner.density_kg_m3 * kPi / 4.0 * 1e-3 *
-                                (disc_share(inner, planet_1, 0) +
-                                 ring_share(inner, fixed.mesh.second, 0) + sun_share(inner, sun));
+  const double areal_kg = inner.density_kg_m3 * kPi / 4.0 * 1e-3;
+  result.mass_per_width_kg_mm =
+      areal_kg * (disc_share(inner, planet_1, 0) + ring_share(inner, fixed.mesh.second, 0) +
+                  sun_share(inner, sun));
+  result.inertia_per_width_kg_m2_mm =
+      is_inertia_asked(inner) ? areal_kg * (sun_inertia_share(inner, sun) +
+                                            planets_inertia_share(inner, centre_mm, planet_1, 0))
+                              : T(0.0);
   add_ring_margins(inner, fixed, centre_mm, 0, gathered);
   if (gathered.is_over()) return result;
   add_sun_margins(inner, sun_mesh, centre_mm, hob_largest, gathered);
@@ -611,18 +651,32 @@ LayerValues<T> first_layer(const InnerCase& inner, const T& centre_mm, const T& 
   return result;
 }
 
+template <class T>
+LayerValues<T> no_layer() {
+  LayerValues<T> nothing;
+  nothing.width_mm = {T(0.0)};
+  nothing.mass_per_width_kg_mm = nothing.inertia_per_width_kg_m2_mm = T(0.0);
+  nothing.efficiency = {T(1.0), T(1.0)};
+  return nothing;
+}
+
 /// The layer of planet 2 and output ring.
 template <class T>
 LayerValues<T> second_layer(const InnerCase& inner, const T& centre_mm, const T& shift_2,
                             double cutoff_kg, std::vector<std::string>* names) {
   LayerValues<T> result;
+  if (!inner.has_second_layer) return no_layer<T>();
   Gathered<T> gathered(result, inner.max_face_width_mm[1], cutoff_kg, names);
   const double m2 = inner.module_mm[1];
   const Gear<T> planet_2 = gear<T>(inner.teeth[2], shift_2, inner.teeth[2] + 2.0 * (1.0 + shift_2));
   RingLayer<T> output = ring_layer(inner, centre_mm, m2, planet_2, inner.teeth[4]);
+  const double areal_kg = inner.density_kg_m3 * kPi / 4.0 * 1e-3;
   result.mass_per_width_kg_mm =
-      inner.density_kg_m3 * kPi / 4.0 * 1e-3 *
-      (disc_share(inner, planet_2, 1) + ring_share(inner, output.mesh.second, 1));
+      areal_kg * (disc_share(inner, planet_2, 1) + ring_share(inner, output.mesh.second, 1));
+  result.inertia_per_width_kg_m2_mm =
+      is_inertia_asked(inner) ? areal_kg * (output_inertia_share(inner, output.mesh.second) +
+                                            planets_inertia_share(inner, centre_mm, planet_2, 1))
+                              : T(0.0);
   add_ring_margins(inner, output, centre_mm, 1, gathered);
   if (gathered.is_over()) return result;
   result.efficiency = {mesh_efficiency(inner, output.mesh), T(1.0)};
@@ -675,6 +729,12 @@ double sun_clearance_mm(const InnerCase& inner, double shift_1, double shift_2) 
 
 std::array<double, 2> train_efficiencies(const InnerCase& inner, double sun_planet_1,
                                          double planet_1_fixed_ring, double planet_2_output_ring) {
+  if (!inner.has_second_layer) {
+    const PlanetaryMeshEfficiencies<double> meshes{sun_planet_1, planet_1_fixed_ring};
+    const double ratio = inner.teeth[3] / inner.teeth[0];
+    return {planetary_forward_efficiency(ratio, meshes),
+            planetary_backward_efficiency(ratio, meshes)};
+  }
   const ThreeKMeshEfficiencies<double> mesh{sun_planet_1, planet_1_fixed_ring,
                                             planet_2_output_ring};
   const ThreeKTeeth<double> teeth{inner.teeth[0], inner.teeth[1], inner.teeth[2], inner.teeth[3],

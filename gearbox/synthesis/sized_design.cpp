@@ -25,6 +25,7 @@ bool set_shifts(const Problem& problem, const std::array<double, 3>& point, Desi
   const double shifts =
       between * (involute(*angle) - kReferenceInvolute) / (2.0 * kReferenceTangent);
   design.profile_shift = {shifts - point[1], point[1], point[2], 0.0, 0.0};
+  if (design.teeth.size() == 3) design.profile_shift = {shifts - point[1], point[1], 0.0};
   const GearTrain open = gear_train(problem, design);
   const auto cut = cut_train(open);
   if (!cut) return false;
@@ -59,8 +60,7 @@ Rational rounded_up_mm(double width_mm) {
 /// The name of what a design violates that `evaluate` does not know of.
 std::string own_objection(const SizedDesign& sized) {
   const SynthesisRequest& request = *sized.problem.synthesis;
-  const Floors& floors = sized.problem.floors;
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < train_parts(sized.problem.topology).free_gears; ++i) {
     const double shift = sized.design.profile_shift[i];
     if (shift < io::nearest(request.least_shift) - 1e-9 ||
         shift > io::nearest(request.greatest_shift) + 1e-9) {
@@ -78,22 +78,9 @@ std::string own_objection(const SizedDesign& sized) {
   }
   const auto& [first, second] = sized.face_width_mm;
   const auto widest_mm = greatest_face_widths_mm(sized.problem, sized.design);
-  if (first > io::nearest(widest_mm[0]) || second > io::nearest(widest_mm[1])) return "face_width";
-  if (floors.axial_length_mm && first + second > io::nearest(*floors.axial_length_mm)) {
-    return "axial_length";
-  }
-  if (floors.hollow_shaft_mm &&
-      sized.report.hollow_shaft_diameter_mm < io::nearest(*floors.hollow_shaft_mm)) {
-    return "hollow_shaft";
-  }
-  if (floors.forward_efficiency &&
-      sized.report.forward_efficiency < io::nearest(*floors.forward_efficiency)) {
-    return "forward_efficiency";
-  }
-  if (floors.backward_efficiency &&
-      sized.report.backward_efficiency < io::nearest(*floors.backward_efficiency)) {
-    return "backward_efficiency";
-  }
+  const std::size_t layers = train_parts(sized.problem.topology).layer_count();
+  const bool is_second_wide = layers > 1 && second > io::nearest(widest_mm[1]);
+  if (first > io::nearest(widest_mm[0]) || is_second_wide) return "face_width";
   return "";
 }
 
@@ -112,7 +99,7 @@ bool set_widths(SizedDesign& sized) {
   const double load_Nm = io::nearest(*sized.problem.load_output_torque_Nm);
   const auto needed =
       needed_widths_mm(*of_one_mm, sun_torque_Nm(of_one_mm->train, load_Nm, TorqueSide::kJoint));
-  for (std::size_t i = 0; i < 2; ++i) {
+  for (std::size_t i = 0; i < layers.size(); ++i) {
     const Rational width_mm =
         std::max(rounded_up_mm(needed[i]), sized.problem.synthesis->least_face_width_mm);
     sized.problem.face_width_mm[layers[i]] = width_mm;

@@ -50,8 +50,9 @@ class Search {
     for (std::size_t i = 0; i < choices_.size(); ++i) queue_.push({0.0, i, kUnopened});
     bool is_ended = !is_whole;
     while (!is_ended && !queue_.empty() && queue_.top().bound_kg < cutoff_kg()) {
-      is_ended =
-          options_.should_stop() || (options_.max_boxes > 0 && result_.boxes >= options_.max_boxes);
+      is_ended = options_.should_stop() ||
+                 (options_.max_boxes > 0 && result_.boxes >= options_.max_boxes) ||
+                 (options_.any && result_.best);
       if (!is_ended) step();
     }
     finish(is_ended, is_whole);
@@ -60,8 +61,12 @@ class Search {
 
  private:
   double best_kg() const { return result_.best ? result_.best->mass_kg : kInfinity; }
-  /// What is not lighter by more than the gap is of no interest.
-  double cutoff_kg() const { return result_.best ? best_kg() * (1.0 - gap_) : kInfinity; }
+  /// What is not lighter by more than the gap is of no interest, nor what is too heavy.
+  double cutoff_kg() const {
+    if (result_.best) return best_kg() * (1.0 - gap_);
+    const auto& most_kg = problem_.floors.mass_kg;
+    return most_kg ? io::nearest(*most_kg) * (1.0 + 1e-9) : kInfinity;
+  }
 
   /// By what they weigh with ordinary shifts, so that light designs are found soon.
   void sort_choices() {
@@ -111,7 +116,7 @@ class Search {
       InnerBox box = *whole;
       box[0].lower = range.lower + i * step;
       if (i + 1 < slices) box[0].upper = range.lower + (i + 1) * step;
-      InnerNode part = whole_node(box);
+      InnerNode part = whole_node(box, inner.has_second_layer);
       const InnerBound bound = bounded(inner, part);
       if (bound.is_empty && bound.empty_margin) {
         const auto [layer, margin] = *bound.empty_margin;
@@ -124,7 +129,7 @@ class Search {
     if (reasons.size() == 1 && reasons.begin()->second == slices) exclude(reasons.begin()->first);
   }
 
-  static InnerNode whole_node(const InnerBox& box) {
+  static InnerNode whole_node(const InnerBox& box, bool has_second_layer) {
     constexpr int kCells = 5;
     InnerNode node{box[0], {}};
     const double step = (box[1].upper - box[1].lower) / kCells;
@@ -134,6 +139,7 @@ class Search {
       if (i + 1 < kCells) cell.box[1].upper = box[1].lower + (i + 1) * step;
       for (auto& cells : node.cells) cells.push_back(cell);
     }
+    if (!has_second_layer) node.cells[1] = {LayerCell{.box = {box[0], Interval{0.0, 0.0}}}};
     return node;
   }
 
@@ -221,6 +227,7 @@ class Search {
       result_.status = SynthesisStatus::kOptimal;
     } else if (!is_ended && !result_.best && undecided_kg_ == kInfinity) {
       result_.status = SynthesisStatus::kInfeasible;
+      result_.bound_kg = kInfinity;
     }
   }
 

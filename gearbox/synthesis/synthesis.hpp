@@ -6,7 +6,9 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "gearbox/search/search_result.hpp"
 #include "gearbox/synthesis/sized_design.hpp"
 
 namespace torquewright::gearbox {
@@ -28,6 +30,7 @@ struct SynthesisProgress {
 struct SynthesisOptions {
   std::int64_t max_boxes = 0;           ///< 0: as many as it takes.
   std::size_t max_choices = 3'000'000;  ///< Whole-number choices that fit into memory.
+  bool any = false;                     ///< The first design ends it, be it light or heavy.
   std::function<bool()> should_stop = [] { return false; };
   std::function<void(const SynthesisProgress&)> report = [](const SynthesisProgress&) {};
 };
@@ -42,6 +45,9 @@ struct SynthesisResult {
   std::int64_t boxes = 0;
   /// How many choices had no design because of each margin, where one of them alone excludes it.
   std::map<std::string, std::int64_t> excluded_by;
+  /// Where there is no design: floors and ceilings that conflict (floor_conflict.hpp). Nothing:
+  /// they were not asked for, or not found in time.
+  std::optional<std::vector<ConflictMember>> conflict;
 };
 
 /// The lightest train of a problem with `synthesis`. Best-first: whole-number choices by a bound

@@ -31,8 +31,10 @@ ordered_json finite_or_null(double value) {
 
 ordered_json sized_json(const Problem& problem, const SizedDesign& sized) {
   ordered_json design = report_json(*find_topology(problem.topology), sized.report);
-  design["face_width_mm"] = {{"layer_1", sized.face_width_mm[0]},
-                             {"layer_2", sized.face_width_mm[1]}};
+  const std::vector<std::string> layers = train_parts(problem.topology).layer_names();
+  for (std::size_t i = 0; i < layers.size(); ++i) {
+    design["face_width_mm"][layers[i]] = sized.face_width_mm[i];
+  }
   design["strength"] = {
       {"load_Nm", io::nearest(*problem.load_output_torque_Nm)},
       {"borne_Nm", sized.borne.joint_Nm},
@@ -43,10 +45,23 @@ ordered_json sized_json(const Problem& problem, const SizedDesign& sized) {
   return design;
 }
 
+ordered_json conflict_json(const Problem& problem, const SynthesisResult& found) {
+  ordered_json list = ordered_json::array();
+  if (!found.conflict) return list;
+  for (const ConflictMember& member : *found.conflict) {
+    list.push_back(
+        {{"constraint", member.constraint},
+         {"without_it", design_json(*find_topology(problem.topology), member.without_it.value())},
+         {"sentence", member.sentence}});
+  }
+  return list;
+}
+
 }  // namespace
 
 std::string held_fixed_by_synthesis(const Problem& problem) {
-  return problem.synthesis->layer_2_module_mm.empty()
+  return problem.synthesis->layer_2_module_mm.empty() &&
+                 train_parts(problem.topology).layer_count() > 1
              ? "one module for both layers, planets equally spaced and all alike, walls behind the "
                "rings as stated or of 2.25 modules"
              : "planets equally spaced and all alike, walls behind the rings as stated or of 2.25 "
@@ -71,9 +86,9 @@ ordered_json synthesis_json(const Problem& problem, const SynthesisResult& found
                       : ordered_json();
   result["designs"] = ordered_json::array();
   if (found.best) result["designs"].push_back(sized_json(problem, *found.best));
-  for (const char* key : {"ties", "conflict", "would_be_feasible_with"}) {
-    result[key] = ordered_json::array();
-  }
+  result["ties"] = ordered_json::array();
+  result["conflict"] = conflict_json(problem, found);
+  result["would_be_feasible_with"] = ordered_json::array();
   result["search"] = {{"nodes", found.boxes},
                       {"relaxations", 0},
                       {"choices", found.choices},

@@ -13,6 +13,8 @@
 #include "gearbox/strength/strength.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 #include "gearbox/train/assembly.hpp"
+#include "gearbox/train/backlash.hpp"
+#include "gearbox/train_parts.hpp"
 #include "gearbox/walls.hpp"
 
 namespace torquewright::gearbox {
@@ -20,12 +22,22 @@ namespace {
 
 constexpr double kSlack = 1e-9;
 
+/// Negative where the output turns backwards, infinite or no number where it stands still.
+double reduction_of(const ThreeKTeeth<double>& teeth) {
+  if (teeth.planet_2 == 0.0) return 1.0 + teeth.fixed_ring / teeth.sun;
+  return three_k_reduction(teeth);
+}
+
 /// Walks through the teeth of one planet count and pair of modules.
 class ChoiceWalk {
  public:
   ChoiceWalk(const Problem& problem, const LayerModules& modules, std::size_t most,
              std::vector<TrainChoice>& found)
-      : problem_(problem), modules_(modules), most_(most), found_(found) {
+      : problem_(problem),
+        modules_(modules),
+        has_second_layer_(train_parts(problem.topology).layer_count() > 1),
+        most_(most),
+        found_(found) {
     least_ratio_ = io::nearest(least_ratio(problem)) * (1.0 - kSlack);
     greatest_ratio_ = io::nearest(greatest_ratio(problem)) * (1.0 + kSlack);
   }
@@ -40,13 +52,18 @@ class ChoiceWalk {
     const std::int64_t most_fixed = mpz_class(bore.get_num() / bore.get_den()).get_si();
     const std::int64_t off = problem_.synthesis->ring_teeth_off;
     for (std::int64_t sun = minimum("sun"); sun < most_fixed; ++sun) {
-      for (std::int64_t planet = minimum("planet_1"); sun + 2 * planet - off <= most_fixed;
-           ++planet) {
+      for (std::int64_t planet = minimum(has_second_layer_ ? "planet_1" : "planet");
+           sun + 2 * planet - off <= most_fixed; ++planet) {
         const PlanetCircle circle{sun, planet, planets, module_1_mm_};
         if (!clears(circle)) break;
         for (std::int64_t fixed = sun + 2 * planet - off;
              fixed <= std::min(most_fixed, sun + 2 * planet + off); ++fixed) {
-          if (spacing_remainder(sun, fixed, planets) == 0) second_layer(sun, planet, fixed);
+          if (spacing_remainder(sun, fixed, planets) != 0) continue;
+          if (has_second_layer_) {
+            second_layer(sun, planet, fixed);
+          } else {
+            consider({sun, planet, 0, fixed, 0});
+          }
         }
         if (found_.size() > most_) return;
       }
@@ -79,21 +96,43 @@ class ChoiceWalk {
   }
 
   void consider(const std::array<std::int64_t, 5>& z) {
-    // (S + F) P1 O / (S (P1 O - F P2)), in products far below 2^53.
-    const auto turned = static_cast<double>(z[1] * z[4] - z[3] * z[2]);
-    if (!(turned > 0.0)) return;
-    const double ratio =
-        static_cast<double>((z[0] + z[3]) * z[1] * z[4]) / (static_cast<double>(z[0]) * turned);
-    if (!(ratio >= least_ratio_ && ratio <= greatest_ratio_)) return;
-    const Rational exact = three_k_reduction<Rational>({z[0], z[1], z[2], z[3], z[4]});
-    if (exact < least_ratio(problem_) || exact > greatest_ratio(problem_)) return;
-    if (!has_identical_planets({z[0], z[1], z[2], z[3], z[4]}, choice_.planet_count)) return;
     choice_.teeth = z;
-    found_.push_back(choice_);
+    const double ratio = reduction_of(teeth_of(choice_));
+    if (!(ratio >= least_ratio_ && ratio <= greatest_ratio_)) return;
+    const Rational exact = has_second_layer_
+                               ? three_k_reduction<Rational>({z[0], z[1], z[2], z[3], z[4]})
+                               : planetary_reduction<Rational>({z[0], z[1], z[3]});
+    if (exact < least_ratio(problem_) || exact > greatest_ratio(problem_)) return;
+    if (has_second_layer_ &&
+        !has_identical_planets({z[0], z[1], z[2], z[3], z[4]}, choice_.planet_count)) {
+      return;
+    }
+    if (may_meet_ceilings(ratio)) found_.push_back(choice_);
+  }
+
+  /// What no shift changes: the rotor's inertia, and backlash, which goes with base circles.
+  bool may_meet_ceilings(double ratio) const {
+    const auto& inertia_kg_m2 = problem_.floors.reflected_inertia_kg_m2;
+    const double rotor_kg_m2 = square(ratio) * io::nearest(problem_.rotor_inertia_kg_m2);
+    if (inertia_kg_m2 && rotor_kg_m2 >= io::nearest(*inertia_kg_m2)) return false;
+    const auto& backlash = problem_.floors.backlash_rad_per_mm;
+    return !backlash || backlash_rad_per_mm() <= io::nearest(*backlash) * (1.0 + kSlack);
+  }
+
+  double backlash_rad_per_mm() const {
+    const ThreeKTeeth<double> teeth = teeth_of(choice_);
+    const double first_mm = 0.5 * kReferenceCosine * io::nearest(module_1_mm_);
+    const double second_mm = 0.5 * kReferenceCosine * io::nearest(module_2_mm_);
+    const double sun_mm = first_mm * teeth.sun, fixed_mm = first_mm * teeth.fixed_ring;
+    if (!has_second_layer_) return 2.0 * planetary_backlash(sun_mm, fixed_mm);
+    return three_k_backlash(basic_ratio_1(teeth), basic_ratio_2(teeth),
+                            {sun_mm, fixed_mm, second_mm * teeth.output_ring})
+        .total();
   }
 
   const Problem& problem_;
   const LayerModules& modules_;
+  bool has_second_layer_;
   std::size_t most_;
   std::vector<TrainChoice>& found_;
   TrainChoice choice_;
@@ -134,14 +173,13 @@ void set_strength(const Problem& problem, InnerCase& inner) {
 /// F_t on the reference circle: torque over n m z/2, whatever the shifts.
 void set_forces(const Problem& problem, InnerCase& inner) {
   const auto& z = inner.teeth;
-  const double ratio = (z[0] + z[3]) * z[1] * z[4] / (z[0] * (z[1] * z[4] - z[3] * z[2]));
   const double output_Nmm = 1e3 * io::nearest(*problem.load_output_torque_Nm);
-  const double sun_Nmm = output_Nmm / ratio;
+  const double sun_Nmm = output_Nmm / inner.ratio;
   const auto force = [&](double torque_Nmm, std::size_t layer, double teeth) {
     return torque_Nmm / (inner.planets * inner.module_mm[layer] * teeth / 2.0);
   };
-  inner.reference_force_N = {force(sun_Nmm, 0, z[0]), force(output_Nmm - sun_Nmm, 0, z[3]),
-                             force(output_Nmm, 1, z[4])};
+  inner.reference_force_N = {force(sun_Nmm, 0, z[0]), force(output_Nmm - sun_Nmm, 0, z[3]), 0.0};
+  if (inner.has_second_layer) inner.reference_force_N[2] = force(output_Nmm, 1, z[4]);
 }
 
 std::optional<double> number(const std::optional<Rational>& value) {
@@ -160,7 +198,7 @@ void set_bounds(const Problem& problem, const Rational& module_mm, InnerCase& in
   inner.ring_space_mm = io::nearest(ring_space_mm(problem));
   inner.min_contact_ratio = io::nearest(problem.min_contact_ratio);
   inner.min_neighbour_clearance_mm = io::nearest(problem.min_neighbour_clearance_mm);
-  inner.sun_under_second_layer = problem.sun_under_second_layer;
+  inner.sun_under_second_layer = inner.has_second_layer && problem.sun_under_second_layer;
   inner.min_tip_thickness = io::nearest(problem.synthesis->least_tip_thickness);
   inner.least_shift = io::nearest(problem.synthesis->least_shift);
   inner.greatest_shift = io::nearest(problem.synthesis->greatest_shift);
@@ -172,6 +210,7 @@ void set_bounds(const Problem& problem, const Rational& module_mm, InnerCase& in
   inner.min_forward_efficiency = number(problem.floors.forward_efficiency);
   inner.min_backward_efficiency = number(problem.floors.backward_efficiency);
   inner.density_kg_m3 = io::nearest(*problem.density_kg_m3);
+  inner.max_mass_kg = number(problem.floors.mass_kg);
 }
 
 }  // namespace
@@ -199,14 +238,19 @@ LayerModules layer_modules(const Problem& problem) {
 }
 
 Design design_of(const LayerModules& modules, const TrainChoice& choice) {
-  Design design{{choice.teeth.begin(), choice.teeth.end()},
-                choice.planet_count,
-                modules.first_mm[choice.module[0]]};
+  const auto& z = choice.teeth;
+  Design design{{z.begin(), z.end()}, choice.planet_count, modules.first_mm[choice.module[0]]};
+  if (!choice.has_second_layer()) design.teeth = {z[0], z[1], z[3]};
   if (!modules.second_mm.empty()) {
     const Rational& second_mm = modules.second_mm[choice.module[1]];
     if (second_mm != design.module_mm) design.layer_2_module_mm = second_mm;
   }
   return design;
+}
+
+ThreeKTeeth<double> teeth_of(const TrainChoice& choice) {
+  const auto number = [&](std::size_t gear) { return static_cast<double>(choice.teeth[gear]); };
+  return {number(0), number(1), number(2), number(3), number(4)};
 }
 
 std::vector<TrainChoice> train_choices(const Problem& problem, const LayerModules& modules,
@@ -228,6 +272,7 @@ InnerCase inner_case(const Problem& problem, const LayerModules& modules,
   const Rational& second_mm = design.layer_2_module_mm.value_or(design.module_mm);
   InnerCase inner;
   for (std::size_t i = 0; i < 5; ++i) inner.teeth[i] = static_cast<double>(choice.teeth[i]);
+  inner.has_second_layer = choice.has_second_layer();
   inner.planets = static_cast<double>(choice.planet_count);
   inner.sine_of_half_spacing = std::sin(std::numbers::pi / inner.planets);
   inner.module_mm = {io::nearest(design.module_mm), io::nearest(second_mm)};
@@ -236,8 +281,13 @@ InnerCase inner_case(const Problem& problem, const LayerModules& modules,
   const auto widest_mm = greatest_face_widths_mm(problem, design);
   inner.max_face_width_mm = {io::nearest(widest_mm[0]), io::nearest(widest_mm[1])};
   set_bounds(problem, design.module_mm, inner);
+  inner.ratio = reduction_of(teeth_of(choice));
   set_strength(problem, inner);
   set_forces(problem, inner);
+  if (const auto most = number(problem.floors.reflected_inertia_kg_m2)) {
+    inner.max_gear_inertia_kg_m2 =
+        *most - square(inner.ratio) * io::nearest(problem.rotor_inertia_kg_m2);
+  }
   return inner;
 }
 
@@ -254,6 +304,7 @@ std::optional<InnerBox> inner_box(const Problem& problem, const InnerCase& inner
   };
   const double fixed_mm =
       0.5 * inner.module_mm[0] * (inner.teeth[3] - inner.teeth[1]) * kReferenceCosine;
+  // 0 where there is no second layer.
   const double output_mm =
       0.5 * inner.module_mm[1] * (inner.teeth[4] - inner.teeth[2]) * kReferenceCosine;
   const double least_mm = std::max({centre_mm(2.0 * low), fixed_mm, output_mm}) * (1.0 + 1e-12);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gearbox/synthesis/inner_case.hpp"
+#include "gearbox/train/kinematics.hpp"
 
 namespace torquewright::gearbox {
 
@@ -17,6 +18,9 @@ LayerModules layer_modules(const Problem& problem);
 
 /// A choice as a design, without shifts.
 Design design_of(const LayerModules& modules, const TrainChoice& choice);
+
+/// Its teeth as numbers.
+ThreeKTeeth<double> teeth_of(const TrainChoice& choice);
 
 /// Of each layer, by all limits that the problem states; a kilometre where it states none.
 std::array<Rational, 2> greatest_face_widths_mm(const Problem& problem, const Design& design);

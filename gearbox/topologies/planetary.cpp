@@ -2,6 +2,7 @@
 #include "gearbox/topologies/planetary.hpp"
 
 #include "gearbox/constraints/buildable.hpp"
+#include "gearbox/constraints/floors.hpp"
 #include "gearbox/constraints/meshing.hpp"
 #include "gearbox/constraints/spacing.hpp"
 #include "gearbox/constraints/teeth.hpp"
@@ -143,6 +144,9 @@ std::vector<ConstraintReport> constraints_of(const Stage& stage, const DesignRep
                                      equal_spacing(teeth.sun, teeth.ring, stage.planet_count)};
   for (ConstraintReport& report : stage.cut ? shifted_constraints(problem, *stage.cut)
                                             : plain_constraints(stage, described.design)) {
+    list.push_back(std::move(report));
+  }
+  for (ConstraintReport& report : floor_constraints(problem, described)) {
     list.push_back(std::move(report));
   }
   for (ConstraintReport& report : choices(problem, chosen)) list.push_back(std::move(report));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "gearbox/constraints/buildable.hpp"
+#include "gearbox/constraints/floors.hpp"
 #include "gearbox/constraints/goals.hpp"
 #include "gearbox/constraints/tooth_conditions.hpp"
 #include "gearbox/train/efficiency.hpp"
@@ -59,9 +60,9 @@ Goal efficiency(const Problem& problem, const Teeth& teeth, bool forward) {
           /*maximise=*/true};
 }
 
-Goal goal_of(const Problem& problem, std::int64_t planet_count, const Rational& module_mm,
-             const Teeth& teeth) {
-  switch (problem.objective) {
+Goal goal_of(Objective objective, const Problem& problem, std::int64_t planet_count,
+             const Rational& module_mm, const Teeth& teeth) {
+  switch (objective) {
     case Objective::kHollowShaft:
       return hollow_shaft(problem, module_mm, teeth.sun);
     case Objective::kForwardEfficiency:
@@ -103,13 +104,19 @@ std::vector<Loosening> loosenings(const Problem& problem, std::int64_t planet_co
 optimization::Problem model(const Problem& problem, std::int64_t planet_count,
                             const Rational& module_mm, std::int64_t ring_limit) {
   const Teeth teeth = variables();
-  return {{"sun", "planet"},
-          {{1, ring_limit}, {1, ring_limit / 2}},
-          conditions(problem, planet_count, module_mm, teeth),
-          {{"equal_spacing", "",
-            [planet_count](Point point) { return 2 * (point[0] + point[1]) % planet_count == 0; }}},
-          goal_of(problem, planet_count, module_mm, teeth),
-          loosenings(problem, planet_count, module_mm, teeth)};
+  optimization::Problem result{
+      {"sun", "planet"},
+      {{1, ring_limit}, {1, ring_limit / 2}},
+      conditions(problem, planet_count, module_mm, teeth),
+      {{"equal_spacing", "",
+        [planet_count](Point point) { return 2 * (point[0] + point[1]) % planet_count == 0; }}},
+      goal_of(problem.objective, problem, planet_count, module_mm, teeth),
+      loosenings(problem, planet_count, module_mm, teeth)};
+  const auto objective_goal = [&](Objective objective) {
+    return goal_of(objective, problem, planet_count, module_mm, teeth);
+  };
+  add_floors(problem, {objective_goal, backlash_goal(module_mm, teeth.sun + teeth.ring)}, result);
+  return result;
 }
 
 std::vector<std::int64_t> free_teeth(std::span<const std::int64_t> point) {

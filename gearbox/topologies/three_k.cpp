@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearbox/constraints/floors.hpp"
 #include "gearbox/constraints/meshing.hpp"
 #include "gearbox/topologies/report_parts.hpp"
 #include "gearbox/topologies/shifted_train.hpp"
@@ -150,10 +151,14 @@ double paper_cost(const ThreeKDesign& design) {
   return io::nearest(cost);
 }
 
-std::vector<ConstraintReport> constraints_of(const ThreeKDesign& design, const Design& chosen) {
+std::vector<ConstraintReport> constraints_of(const ThreeKDesign& design,
+                                             const DesignReport& described, const Design& chosen) {
   std::vector<ConstraintReport> list = paper_constraints(design);
   if (design.problem.constraints == ConstraintSet::kBuildable) {
     for (ConstraintReport& report : further_constraints(design)) list.push_back(std::move(report));
+  }
+  for (ConstraintReport& report : floor_constraints(design.problem, described)) {
+    list.push_back(std::move(report));
   }
   for (ConstraintReport& report : coaxiality_constraints(design)) list.push_back(std::move(report));
   for (ConstraintReport& report : choices(design.problem, chosen))
@@ -227,7 +232,7 @@ DesignReport evaluate(const Problem& problem, const Design& design) {
   state_rotor(problem, report);
   describe_bodies(train, report);
   state_objective(problem, paper_cost(train), report);
-  report.constraints = constraints_of(train, design);
+  report.constraints = constraints_of(train, report, design);
   report.remarks = remarks(train, report);
   return report;
 }

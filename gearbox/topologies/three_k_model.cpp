@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "gearbox/constraints/buildable.hpp"
+#include "gearbox/constraints/floors.hpp"
 #include "gearbox/constraints/goals.hpp"
 #include "gearbox/constraints/tooth_conditions.hpp"
 #include "gearbox/train/assembly.hpp"
@@ -187,10 +188,10 @@ Goal inertia(const Problem& problem, std::int64_t planet_count, const Rational& 
   return goal;
 }
 
-Goal goal_of(const Problem& problem, std::int64_t planet_count, const Rational& module_mm,
-             const Variables& x) {
+Goal goal_of(Objective objective, const Problem& problem, std::int64_t planet_count,
+             const Rational& module_mm, const Variables& x) {
   const Teeth teeth = teeth_of(x);
-  switch (problem.objective) {
+  switch (objective) {
     case Objective::kPaperCost:
       return paper_cost(problem, module_mm, teeth);
     case Objective::kHollowShaft:
@@ -243,12 +244,16 @@ optimization::Problem model(const Problem& problem, std::int64_t planet_count,
                                {{1, ring_limit}, {1, ring_limit / 2}, {1, ring_limit / 2}},
                                {},
                                predicates(problem, planet_count),
-                               goal_of(problem, planet_count, module_mm, x),
+                               goal_of(problem.objective, problem, planet_count, module_mm, x),
                                loosenings(problem, planet_count, module_mm, x)};
   add_paper_conditions(problem, planet_count, module_mm, x, result.conditions);
   if (problem.constraints == ConstraintSet::kBuildable) {
     add_buildable_conditions(problem, planet_count, module_mm, x, result.conditions);
   }
+  const auto objective_goal = [&](Objective objective) {
+    return goal_of(objective, problem, planet_count, module_mm, x);
+  };
+  add_floors(problem, {objective_goal, backlash_goal(module_mm, teeth_of(x).output_ring)}, result);
   return result;
 }
 

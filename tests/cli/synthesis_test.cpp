@@ -87,6 +87,56 @@ TEST(Synthesis, QuietAnswersSayWhatTheTeethBear) {
   }
 }
 
+// Oracle: strength of the same program.
+TEST(Synthesis, SizesASingleStage) {
+  const Workplace place;
+  json stage = json::parse(kEightLines);
+  stage["topology"] = "planetary";
+  stage["target_ratio"] = 5;
+  stage["min_teeth"] = {{"sun", 24}, {"planet", 20}};
+  place.write("stage.json", stage.dump());
+  const Outcome found = place.run({"gearbox", "optimize", "stage.json", "-o", "result.json"});
+  EXPECT_EQ(found.exit_code, 0) << found.out << found.err;
+  EXPECT_NE(found.out.find("\n  face width "), std::string::npos) << found.out;
+  EXPECT_TRUE(io::conforms(json::parse(place.text("result.json")), "gearbox_result"));
+  const Outcome strength = place.run({"gearbox", "strength", "result.json"});
+  EXPECT_NE(strength.out.find("120 Nm at the joint: borne"), std::string::npos) << strength.out;
+  stage["synthesis"]["layer_2_module_mm"] = 0.6;
+  place.write("stage.json", stage.dump());
+  EXPECT_EQ(place.run({"gearbox", "optimize", "stage.json"}).err,
+            "stage.json#/synthesis/layer_2_module_mm: the topology \"planetary\" has one layer "
+            "only\n");
+}
+
+// Each of the two can be met, but not both. Oracle: the same problem without either.
+TEST(Synthesis, NamesFloorsThatConflict) {
+  const Workplace place;
+  json asked = json::parse(kEightLines);
+  place.write("gears.json", asked.dump());
+  ASSERT_EQ(place.run({"gearbox", "optimize", "gears.json", "-o", "free.json"}).exit_code, 0);
+  const json free = json::parse(place.text("free.json"))["designs"][0];
+  const double least_kg = free["mass_kg"], backward = free["backward_efficiency"];
+  asked["max_mass_kg"] = 1.002 * least_kg;
+  asked["min_backward_efficiency"] = backward + 0.01;
+  asked["min_hollow_shaft_diameter_mm"] = 1;
+  place.write("gears.json", asked.dump());
+  const Outcome both = place.run({"gearbox", "optimize", "gears.json", "-o", "both.json"});
+  EXPECT_EQ(both.exit_code, 1) << both.out << both.err;
+  EXPECT_NE(both.out.find("\nThese conflict, none of them to spare:\n  load: Without load "),
+            std::string::npos)
+      << both.out;
+  EXPECT_NE(both.out.find("\n  backward_efficiency: Without min_backward_efficiency there is "),
+            std::string::npos)
+      << both.out;
+  const json result = json::parse(place.text("both.json"));
+  EXPECT_TRUE(io::conforms(result, "gearbox_result"));
+  ASSERT_EQ(result["conflict"].size(), 3U);  // The load is heavy too.
+  EXPECT_EQ(result["conflict"][2]["constraint"], "mass");
+  asked.erase("max_mass_kg");
+  place.write("gears.json", asked.dump());
+  EXPECT_EQ(place.run({"gearbox", "optimize", "gears.json"}).exit_code, 0);
+}
+
 TEST(Synthesis, EndsWithABoundAndRefusesWhatItDoesNotKnow) {
   const Workplace place;
   place.write("gears.json", kEightLines);

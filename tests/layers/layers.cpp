@@ -250,7 +250,8 @@ bool is_solver(std::string_view header) {
 
 bool is_shared_with_the_checker(std::string_view name) {
   return name.starts_with("gearbox/proof/") || name.starts_with("io/") ||
-         name == "gearbox/problem.hpp" || name == "gearbox/problem_spec.hpp";
+         name == "gearbox/problem.hpp" || name == "gearbox/problem_spec.hpp" ||
+         name == "gearbox/floors.hpp";
 }
 
 std::string text_of(const fs::path& file) {

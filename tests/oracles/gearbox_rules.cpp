@@ -62,6 +62,7 @@ WideFraction ratio_planetary(const Teeth& teeth) {
 std::vector<Rule> rules(const Setting& setting, const Switches& off) {
   std::vector<Rule> enforced = exact_rules(setting);
   for (Rule& rule : real_rules(setting)) enforced.push_back(std::move(rule));
+  for (Rule& rule : floor_rules(setting)) enforced.push_back(std::move(rule));
   std::erase_if(enforced, [&off](const Rule& rule) { return is_off(rule.name, off); });
   return enforced;
 }

@@ -270,6 +270,7 @@ struct Layer {
   double missed = 1e9;
   double width_mm = 0.0;
   double mass_kg = kNone;
+  double inertia_kg_m2 = 0.0;  ///< Of what turns, seen from the output.
   std::array<double, 2> efficiency{1.0, 1.0};
   double sun_shift = 0.0;
 };
@@ -279,13 +280,18 @@ class Train {
   Train(const Given& given, const LoadedTeeth& teeth) : given_(given), z_(teeth) {
     const double s = whole(z_.sun), p1 = whole(z_.planet_1), p2 = whole(z_.planet_2);
     const double f = whole(z_.fixed_ring), o = whole(z_.output_ring);
-    const double ratio = (s + f) * p1 * o / (s * (p1 * o - f * p2));
+    const bool is_stepped = z_.planet_2 > 0;
+    const double ratio = is_stepped ? (s + f) * p1 * o / (s * (p1 * o - f * p2)) : 1.0 + f / s;
     const double n = whole(z_.planets);
     force_S_ = 2e3 * given.load_Nm / ratio / (n * z_.module_1_mm * s);
     force_F_ = 2e3 * given.load_Nm * (1.0 - 1.0 / ratio) / (n * z_.module_1_mm * f);
-    force_O_ = 2e3 * given.load_Nm / (n * z_.module_2_mm * o);
+    force_O_ = is_stepped ? 2e3 * given.load_Nm / (n * z_.module_2_mm * o) : 0.0;
     ratio_1_ = f / s;
-    ratio_2_ = f * p2 / (p1 * o);
+    ratio_2_ = is_stepped ? f * p2 / (p1 * o) : 0.0;
+    // Speeds over the output's: of the sun, the carrier, and a planet about its own axis.
+    sun_speed_ = ratio;
+    carrier_speed_ = ratio * s / (s + f);
+    planet_speed_ = carrier_speed_ * (1.0 - f / p1);
   }
 
   std::pair<double, double> centres_mm() const {
@@ -347,11 +353,17 @@ class Train {
     const double area =
         planets_area(planet, m) + ring_area(ring, m) + sq(size) - sq(std::max(0.0, size - rim));
     finish(layer, missed, width, area);
+    layer.inertia_kg_m2 =
+        turning(width, size, std::max(0.0, size - rim), sun_speed_) + planets(width, planet, m, a);
     return layer;
   }
 
   Layer second(double centre_mm, double x2) const {
     Layer layer;
+    if (z_.planet_2 == 0) {
+      layer.missed = layer.mass_kg = 0.0;
+      return layer;
+    }
     const double m = z_.module_2_mm, a = centre_mm / m;
     const double p = whole(z_.planet_2), o = whole(z_.output_ring);
     const double cosine = 0.5 * (o - p) * kCos / a;
@@ -371,22 +383,33 @@ class Train {
     missed.ask(given_.widest_mm(m, z_.planet_2) - width);
     layer.efficiency = {efficiency(within), 1.0};
     finish(layer, missed, width, planets_area(planet, m) + ring_area(ring, m));
+    const double inner = 1e-3 * m * (o + 2.0 * xo);
+    const double outer = inner + 1e-3 * (2.5 * m + 2.0 * given_.wall_mm(m));
+    layer.inertia_kg_m2 = turning(width, outer, inner, 1.0) + planets(width, planet, m, a);
     return layer;
   }
 
   /// How far both together miss what binds them.
   double missed_by(const Layer& first, const Layer& second, double x1, double x2) const {
     Missed missed;
-    if (given_.problem.value("sun_under_second_layer", true)) {
+    if (z_.planet_2 > 0 && given_.problem.value("sun_under_second_layer", true)) {
       missed.ask(z_.module_1_mm * (0.5 * whole(z_.planet_1) - 1.0 + x1) -
                  z_.module_2_mm * (0.5 * whole(z_.planet_2) + 1.0 + x2));
     }
     missed.ask(given_.number("max_axial_length_mm", kNone) - first.width_mm - second.width_mm);
     const double a = first.efficiency[0], b = first.efficiency[1], c = second.efficiency[0];
-    const double forward =
+    double forward =
         (1.0 + a * b * ratio_1_) * (1.0 - ratio_2_) / ((1.0 + ratio_1_) * (1.0 - b * c * ratio_2_));
-    const double backward =
+    double backward =
         a * (1.0 + ratio_1_) * (b * c - ratio_2_) / (c * (a * b + ratio_1_) * (1.0 - ratio_2_));
+    if (z_.planet_2 == 0) {
+      forward = (1.0 + a * b * ratio_1_) / (1.0 + ratio_1_);
+      backward = (1.0 + ratio_1_) / (1.0 + ratio_1_ / (a * b));
+    }
+    const double rotor_kg_m2 = given_.number("rotor_inertia_kg_m2", 0.0) * sq(sun_speed_);
+    const double inertia_kg_m2 = rotor_kg_m2 + first.inertia_kg_m2 + second.inertia_kg_m2;
+    missed.ask(1.0 - (first.mass_kg + second.mass_kg) / given_.number("max_mass_kg", kNone));
+    missed.ask(1.0 - inertia_kg_m2 / given_.number("max_reflected_inertia_kg_m2", kNone));
     missed.ask(forward - given_.number("min_forward_efficiency", -kNone));
     missed.ask(backward - given_.number("min_backward_efficiency", -kNone));
     return missed.sum;
@@ -489,6 +512,21 @@ class Train {
     return sq(inner + 1e-3 * (2.5 * m + 2.0 * given_.wall_mm(m))) - sq(inner);
   }
 
+  double weight_kg(double width, double outer_m, double inner_m) const {
+    return given_.density * kPi / 4.0 * (sq(outer_m) - sq(inner_m)) * width * 1e-3;
+  }
+  /// Twice the energy of an annulus that turns with a speed over the output's.
+  double turning(double width, double outer_m, double inner_m, double speed) const {
+    return weight_kg(width, outer_m, inner_m) * (sq(outer_m) + sq(inner_m)) / 8.0 * sq(speed);
+  }
+  /// Of the planets, which run with the carrier besides.
+  double planets(double width, const Gear& planet, double m, double centre) const {
+    const double size = 1e-3 * m * (planet.z + 2.0 * planet.x);
+    return whole(z_.planets) *
+           (turning(width, size, 0.0, planet_speed_) +
+            weight_kg(width, size, 0.0) * sq(1e-3 * m * centre) * sq(carrier_speed_));
+  }
+
   void finish(Layer& layer, const Missed& missed, double width, double area) const {
     layer.missed = missed.sum;
     layer.width_mm = width;
@@ -499,6 +537,7 @@ class Train {
   const Given& given_;
   LoadedTeeth z_;
   double force_S_, force_F_, force_O_, ratio_1_, ratio_2_;
+  double sun_speed_, carrier_speed_, planet_speed_;
 };
 
 /// The continuous problem of one choice.
@@ -607,6 +646,46 @@ bool has_ratio(const json& problem, double a, double b) {
   return std::abs(a / b - target) <= std::abs(target) * part + 1e-9 * std::abs(target);
 }
 
+/// The output's angle, sun and fixed ring held, for a backlash of 1 mm along every mesh's line of
+/// action: of each mesh alone, added up. With base radii r the carrier's psi and a planet's x in it
+/// solve r_S psi + r_1 x = j_S, r_F psi - r_1 x = j_F, and the output's is psi - r_2 x/r_O +
+/// j_O/r_O.
+double backlash(const LoadedTeeth& z) {
+  const auto base = [](double m, std::int64_t teeth) {
+    return 0.5 * m * kCos * static_cast<double>(teeth);
+  };
+  const double both = base(z.module_1_mm, z.sun) + base(z.module_1_mm, z.fixed_ring);
+  if (z.planet_2 == 0) return 2.0 / both;
+  const double r1 = base(z.module_1_mm, z.planet_1), r2 = base(z.module_2_mm, z.planet_2);
+  const double held = base(z.module_1_mm, z.fixed_ring), ring = base(z.module_2_mm, z.output_ring);
+  const double by_sun = 1.0 / both - r2 / ring * (held / both) / r1;
+  const double by_held = 1.0 / both - r2 / ring * (held / both - 1.0) / r1;
+  return std::abs(by_sun) + std::abs(by_held) + 1.0 / ring;
+}
+
+void each_single_stage(const json& p, const std::function<void(const LoadedTeeth&)>& visit) {
+  const std::int64_t off = p["synthesis"]["ring_teeth_off"];
+  for (const std::int64_t n : list_of<std::int64_t>(p["planet_count"])) {
+    for (const double m : list_of<double>(p["module_mm"])) {
+      const auto most = static_cast<std::int64_t>(
+          std::floor(p["rotor_inner_diameter_mm"].get<double>() / m + 1e-9));
+      for (std::int64_t s = p["min_teeth"]["sun"]; s <= most; ++s) {
+        for (std::int64_t q = p["min_teeth"]["planet"]; q <= most; ++q) {
+          for (std::int64_t r = s + 2 * q - off; r <= std::min(most, s + 2 * q + off); ++r) {
+            const double gap = kPi / static_cast<double>(n) -
+                               std::asin(static_cast<double>(q) / static_cast<double>(s + q));
+            if (gap < p["min_carrier_clearance_rad"].get<double>() - 1e-12) continue;
+            if ((s + r) % n != 0) continue;
+            if (has_ratio(p, static_cast<double>(s + r), static_cast<double>(s))) {
+              visit({s, q, 0, r, 0, n, m, m});
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
 void each_choice(const json& p, const std::function<void(const LoadedTeeth&)>& visit) {
   const double bore = p["rotor_inner_diameter_mm"];
   const std::int64_t off = p["synthesis"]["ring_teeth_off"];
@@ -653,7 +732,9 @@ void each_choice(const json& p, const std::function<void(const LoadedTeeth&)>& v
 LoadedTrains enumerate_loaded_trains(const json& problem, int steps) {
   const Given given(problem);
   LoadedTrains found;
-  each_choice(problem, [&](const LoadedTeeth& teeth) {
+  const auto each = problem["topology"] == "planetary" ? each_single_stage : each_choice;
+  each(problem, [&](const LoadedTeeth& teeth) {
+    if (backlash(teeth) > given.number("max_backlash_rad_per_mm", kNone)) return;
     ++found.choices;
     const double best = found.lightest ? found.lightest->mass_kg : kNone;
     const auto train = Descent(given, teeth, steps).run(best);

@@ -10,7 +10,8 @@
 
 namespace torquewright::oracles {
 
-/// Whole numbers of a 3K train, and the place of each layer's module in the problem's lists.
+/// Whole numbers of a train, and the layers' modules. A planetary one has no planet 2 and no output
+/// ring: 0; its ring is the fixed one.
 struct LoadedTeeth {
   std::int64_t sun = 0, planet_1 = 0, planet_2 = 0, fixed_ring = 0, output_ring = 0, planets = 0;
   double module_1_mm = 0.0, module_2_mm = 0.0;

@@ -76,6 +76,14 @@ json problem_document(const gearbox::Problem& problem) {
   put(document, "/friction_coefficient", problem.friction_coefficient);
   put(document, "/materials/density_kg_m3", problem.density_kg_m3);
   put(document, "/load/output_torque_Nm", problem.load_output_torque_Nm);
+  const gearbox::Floors& floors = problem.floors;
+  put(document, "/min_forward_efficiency", floors.forward_efficiency);
+  put(document, "/min_backward_efficiency", floors.backward_efficiency);
+  put(document, "/min_hollow_shaft_diameter_mm", floors.hollow_shaft_mm);
+  put(document, "/max_axial_length_mm", floors.axial_length_mm);
+  put(document, "/max_mass_kg", floors.mass_kg);
+  put(document, "/max_reflected_inertia_kg_m2", floors.reflected_inertia_kg_m2);
+  put(document, "/max_backlash_rad_per_mm", floors.backlash_rad_per_mm);
   return document;
 }
 

@@ -14,4 +14,7 @@ std::vector<Rule> exact_rules(const Setting& setting);
 /// Rules with angles and roots: decided in long double, near-ties flagged.
 std::vector<Rule> real_rules(const Setting& setting);
 
+/// Rules on reported quantities, as far as the problem states them.
+std::vector<Rule> floor_rules(const Setting& setting);
+
 }  // namespace torquewright::oracles

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "gearbox/floors.hpp"
+
 namespace torquewright::gearbox::proof {
 namespace {
 
@@ -74,12 +76,7 @@ void add_cutters(const Problem& problem, Constraints& all) {
   }
 }
 
-}  // namespace
-
-Constraints constraints_of(const Problem& problem) {
-  Constraints all;
-  add_paper(problem, all);
-  if (problem.constraints == ConstraintSet::kPaper) return all;
+void add_buildable(const Problem& problem, Constraints& all) {
   add_clearances(problem, all);
   add_for_rings(
       problem, "ring_wall.", ConstraintFamily::kRingWall,
@@ -92,6 +89,23 @@ Constraints constraints_of(const Problem& problem) {
   add_for_meshes(problem, "contact_ratio.", ConstraintFamily::kContactRatio, "/min_contact_ratio",
                  false, all);
   add_cutters(problem, all);
+}
+
+void add_floors(const Problem& problem, Constraints& all) {
+  for (std::size_t i = 0; i < kFloors.size(); ++i) {
+    if (!(problem.floors.*kFloors[i].limit)) continue;
+    all.push_back({std::string(kFloors[i].name), ConstraintFamily::kFloor, static_cast<int>(i),
+                   std::string(kFloors[i].key)});
+  }
+}
+
+}  // namespace
+
+Constraints constraints_of(const Problem& problem) {
+  Constraints all;
+  add_paper(problem, all);
+  if (problem.constraints != ConstraintSet::kPaper) add_buildable(problem, all);
+  add_floors(problem, all);
   return all;
 }
 

@@ -29,13 +29,15 @@ enum class ConstraintFamily {
   kShaperRootForm,
   kShaperFeed,
   kContactRatio,
+  kFloor,  ///< Of what the problem asks of a quantity: kFloors.
 };
 
 /// One named constraint of docs/gearbox_constraints.md.
 struct Constraint {
   std::string name;
   ConstraintFamily family;
-  int place = 0;    ///< Gear 0.. (minima, undercut), layer 1.. (clearances, rings), mesh 0...
+  /// Gear 0.. (minima, undercut), layer 1.. (clearances, rings), mesh 0.., or place in kFloors.
+  int place = 0;
   std::string key;  ///< Of the bound that sets its limit, as a JSON pointer; empty: none.
 };
 

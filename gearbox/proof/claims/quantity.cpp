@@ -6,6 +6,7 @@
 #include "gearbox/proof/gears/bodies.hpp"
 #include "gearbox/proof/gears/contact_ratio.hpp"
 #include "gearbox/proof/gears/efficiency.hpp"
+#include "gearbox/proof/gears/tooth_path.hpp"
 
 namespace torquewright::gearbox::proof {
 namespace {
@@ -37,6 +38,12 @@ Rational ring_blank_mm(const Alternative& alternative, const Teeth& teeth) {
          2 * alternative.ring_wall_mm;
 }
 
+Rational axial_length_mm(const Problem& problem) {
+  Rational sum_mm = 0;
+  for (const auto& [layer, width_mm] : problem.face_width_mm) sum_mm += width_mm;
+  return sum_mm;
+}
+
 std::int64_t teeth_of(const Quantity& quantity, const Teeth& teeth) {
   return quantity.gear == 0 ? teeth.sun : planet(teeth, quantity.gear);
 }
@@ -58,6 +65,8 @@ std::optional<Rational> exact_value(const Quantity& quantity, const Alternative&
       return abs(Rational(ratio_of(alternative, teeth) / alternative.problem->target_ratio - 1));
     case Measure::kRingBlankDiameter:
       return ring_blank_mm(alternative, teeth);
+    case Measure::kAxialLength:
+      return axial_length_mm(*alternative.problem);
     default:
       return std::nullopt;
   }
@@ -106,6 +115,15 @@ Interval contact_ratio_on(const Alternative& alternative, const TeethRange& rang
     least = min(least, contact_ratio(range, mesh));
   }
   return least;
+}
+
+/// Without profile shift 2/r_b of the output ring, or 4/(r_bS + r_bR) of a train of one layer.
+Interval backlash_on(const Alternative& alternative, const TeethRange& range) {
+  const auto teeth = [&](const Teeth& z) {
+    return alternative.train->is_stepped() ? ring(z, 2) : z.sun + ring(z, 1);
+  };
+  return 4 / (Interval(alternative.module_mm) * cos(pressure_angle()) *
+              span(teeth(range.least), teeth(range.most)));
 }
 
 /// i = 2 (P1/d) (1 + (P1 + P2)/S): both factors fall with S and d and grow with P1; P1 > d.
@@ -182,6 +200,26 @@ Quantity objective_quantity(Objective objective) {
   return {Measure::kPaperCost};
 }
 
+Quantity floor_quantity(FloorQuantity floor) {
+  switch (floor) {
+    case FloorQuantity::kForwardEfficiency:
+      return {Measure::kForwardEfficiency};
+    case FloorQuantity::kBackwardEfficiency:
+      return {Measure::kBackwardEfficiency};
+    case FloorQuantity::kHollowShaft:
+      return {Measure::kHollowShaft};
+    case FloorQuantity::kMass:
+      return {Measure::kMass};
+    case FloorQuantity::kReflectedInertia:
+      return {Measure::kReflectedInertia};
+    case FloorQuantity::kBacklash:
+      return {Measure::kBacklash};
+    case FloorQuantity::kAxialLength:
+      break;
+  }
+  return {Measure::kAxialLength};
+}
+
 Interval enclosure_on(const Quantity& quantity, const Alternative& alternative, const Box& box,
                       const Interval& allowed_ratio) {
   if (const auto found = smooth_enclosure_on(quantity, alternative, box, allowed_ratio)) {
@@ -195,6 +233,8 @@ Interval enclosure_on(const Quantity& quantity, const Alternative& alternative, 
       return contact_ratio_on(alternative, range);
     case Measure::kNeighbourClearance:
       return neighbour_clearance_on(alternative, box);
+    case Measure::kBacklash:
+      return backlash_on(alternative, range);
     case Measure::kRatioError:
       return abs(
           ratio_on<Interval>(alternative, box) / Interval(alternative.problem->target_ratio) - 1);

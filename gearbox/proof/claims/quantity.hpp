@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "gearbox/floors.hpp"
 #include "gearbox/proof/gears/ratio_condition.hpp"
 #include "gearbox/proof/gears/rough_interval.hpp"
 
@@ -23,6 +24,8 @@ enum class Measure {
   kContactRatio,
   kNeighbourClearance,
   kRingBlankDiameter,
+  kBacklash,
+  kAxialLength,
 };
 
 /// What a claim compares.
@@ -35,6 +38,9 @@ struct Quantity {
 
 /// The objective as quantity.
 Quantity objective_quantity(Objective objective);
+
+/// What a floor or ceiling limits.
+Quantity floor_quantity(FloorQuantity floor);
 
 /// A value: exact where the quantity is a fraction.
 struct Value {

@@ -21,6 +21,25 @@ std::optional<RelaxedBound> teeth_bound(const Problem& problem, const std::strin
                       Rational(static_cast<long>(minimum->second))};
 }
 
+std::optional<RelaxedBound> floor_bound(const Problem& problem, std::string_view key) {
+  for (const FloorRecord& floor : kFloors) {
+    if (floor.key != key) continue;
+    return RelaxedBound{std::string(key), std::string(floor.name), floor_quantity(floor.quantity),
+                        *(problem.floors.*floor.limit)};
+  }
+  return std::nullopt;
+}
+
+/// False: the bound is no floor's.
+bool set_floor(const RelaxedBound& bound, const Rational& value, Problem& problem) {
+  for (const FloorRecord& floor : kFloors) {
+    if (floor.key != bound.key) continue;
+    problem.floors.*floor.limit = value;
+    return true;
+  }
+  return false;
+}
+
 Rational ring_space_mm(const Problem& problem) {
   return problem.ring_outer_diameter_mm.value_or(problem.rotor_inner_diameter_mm);
 }
@@ -41,6 +60,7 @@ std::optional<RelaxedBound> find_relaxed_bound(const Problem& problem, std::stri
   if (key.substr(0, kMinTeeth.size()) == kMinTeeth) {
     return teeth_bound(problem, std::string(key.substr(kMinTeeth.size())));
   }
+  if (const auto floor = floor_bound(problem, key)) return floor;
   const RelaxedBound blank{std::string(key),
                            "ring_blank_diameter_mm",
                            {Measure::kRingBlankDiameter},
@@ -71,6 +91,7 @@ std::optional<RelaxedBound> find_relaxed_bound(const Problem& problem, std::stri
 std::optional<Problem> with_bound(const Problem& problem, const RelaxedBound& bound,
                                   const Rational& value) {
   Problem relaxed = problem;
+  if (set_floor(bound, value, relaxed)) return relaxed;
   switch (bound.quantity.measure) {
     case Measure::kTeeth: {
       if (value.get_den() != 1 || !value.get_num().fits_slong_p()) return std::nullopt;

@@ -2,6 +2,7 @@
 #include <numeric>
 
 #include "gearbox/proof/claims/constraint.hpp"
+#include "gearbox/proof/claims/quantity.hpp"
 #include "gearbox/proof/gears/contact_ratio.hpp"
 #include "gearbox/proof/gears/interference.hpp"
 #include "gearbox/proof/gears/ratio_condition.hpp"
@@ -69,6 +70,14 @@ bool has_contact_ratio(const Alternative& alternative, const Teeth& teeth, int m
   return sign(contact_ratio({teeth, teeth}, mesh) - alternative.problem->min_contact_ratio) >= 0;
 }
 
+bool meets_floor(const Alternative& alternative, const Teeth& teeth, const FloorRecord& floor) {
+  const Rational from = met_from(floor, *(alternative.problem->floors.*floor.limit));
+  const Point point{teeth.sun, teeth.planet_1, teeth.planet_1 - teeth.planet_2};
+  const Value value = value_at(floor_quantity(floor.quantity), alternative, point);
+  const int order = value.exact ? cmp(*value.exact, from) : sign(value.enclosure - from);
+  return floor.is_ceiling ? order <= 0 : order >= 0;
+}
+
 }  // namespace
 
 bool satisfies(const Constraint& constraint, const Alternative& alternative, const Teeth& teeth) {
@@ -116,6 +125,8 @@ bool satisfies(const Constraint& constraint, const Alternative& alternative, con
       return ring(teeth, place) >= alternative.least_fed_ring;
     case ConstraintFamily::kContactRatio:
       return has_contact_ratio(alternative, teeth, place);
+    case ConstraintFamily::kFloor:
+      return meets_floor(alternative, teeth, kFloors[static_cast<std::size_t>(place)]);
   }
   return false;
 }

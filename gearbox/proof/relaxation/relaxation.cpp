@@ -6,8 +6,33 @@
 namespace torquewright::gearbox::proof {
 namespace {
 
+Linearization hollow_shaft_form(const Alternative& alternative, const Interval& least_mm,
+                                const RealPoint& point) {
+  const Interval module(alternative.module_mm);
+  return affine(point,
+                -least_mm -
+                    module * Interval(Rational(2 * alternative.problem->cutters.hob_depth())) -
+                    2 * Interval(alternative.hollow_shaft_wall_mm),
+                {module, 0, 0});
+}
+
+/// Of the floors that are linear or concave; the search knows no form of the others.
+std::optional<Linearization> linearize_floor(const FloorRecord& floor,
+                                             const Alternative& alternative, const Box& box,
+                                             const RealPoint& point) {
+  const Interval from(met_from(floor, *(alternative.problem->floors.*floor.limit)));
+  switch (floor.quantity) {
+    case FloorQuantity::kHollowShaft:
+      return hollow_shaft_form(alternative, from, point);
+    case FloorQuantity::kMass:
+      return mass_form(alternative, from, box, point);
+    default:
+      return std::nullopt;
+  }
+}
+
 std::optional<Linearization> linearize_constraint(const Constraint& constraint,
-                                                  const Alternative& alternative,
+                                                  const Alternative& alternative, const Box& box,
                                                   const RealPoint& point) {
   switch (constraint.family) {
     case ConstraintFamily::kRotorBore:
@@ -32,6 +57,9 @@ std::optional<Linearization> linearize_constraint(const Constraint& constraint,
       return ring_tip_form(alternative, constraint.place, point);
     case ConstraintFamily::kShaperFeed:
       return shaper_feed_form(alternative, constraint.place, point);
+    case ConstraintFamily::kFloor:
+      return linearize_floor(kFloors[static_cast<std::size_t>(constraint.place)], alternative, box,
+                             point);
     default:
       return std::nullopt;
   }
@@ -46,11 +74,7 @@ std::optional<Linearization> linearize_quantity(const Claim& claim, const Altern
     case Measure::kPaperCost:
       return paper_cost_form(alternative, value, box, point);
     case Measure::kHollowShaft:
-      return affine(point,
-                    -value -
-                        module * Interval(Rational(2 * alternative.problem->cutters.hob_depth())) -
-                        2 * Interval(alternative.hollow_shaft_wall_mm),
-                    {module, 0, 0});
+      return hollow_shaft_form(alternative, value, point);
     case Measure::kTeeth:
       return teeth_form(1, -value, claim.quantity->gear, point);
     case Measure::kRingPitchDiameter:
@@ -78,7 +102,7 @@ std::optional<Linearization> linearize(const Claim& claim, const Alternative& al
     case Condition::Kind::kRatioMin:
       return ratio_min_form(alternative, box, point);
     case Condition::Kind::kConstraint:
-      return linearize_constraint(*condition.constraint, alternative, point);
+      return linearize_constraint(*condition.constraint, alternative, box, point);
     case Condition::Kind::kQuantity:
       return linearize_quantity(claim, alternative, box, point);
   }

@@ -80,9 +80,9 @@ bool has_greater_ratio_error(const Claim& claim, const Alternative& alternative,
 /// in doubles. Empty: they are no help, or leave it open at a point or by so little that more bits
 /// may tell.
 std::optional<bool> falls_short_in_doubles(const Quantity& quantity, const Alternative& alternative,
-                                           const Box& box, const RoughInterval& reference,
+                                           const Box& box, const RoughInterval& allowed,
+                                           const RoughInterval& reference,
                                            const RoughInterval& margin) {
-  const RoughInterval allowed(alternative.least_ratio, alternative.greatest_ratio);
   const auto enclosure = rough_enclosure_on(quantity, alternative, box, allowed);
   if (!enclosure) return std::nullopt;
   const RoughInterval advantage =
@@ -100,8 +100,8 @@ std::optional<bool> is_worse_in_doubles(const Claim& claim, const Alternative& a
                                         const Box& box) {
   static const RoughInterval equal_share(Rational(1, 1'000'000'000'000));
   const RoughInterval threshold = claim.threshold->enclosure;
-  return falls_short_in_doubles(*claim.quantity, alternative, box, threshold,
-                                abs(threshold) * equal_share);
+  return falls_short_in_doubles(*claim.quantity, alternative, box, ratio_interval(alternative),
+                                threshold, abs(threshold) * equal_share);
 }
 
 bool is_worse_everywhere(const Claim& claim, const Alternative& alternative, const Box& box) {
@@ -123,6 +123,24 @@ bool is_worse_everywhere(const Claim& claim, const Alternative& alternative, con
                                       : (difference - margin).certainly_positive();
 }
 
+/// Whether no design of the box meets the floor. What the ratio tells of it counts where the claim
+/// asks for the ratio.
+bool misses_floor_everywhere(const Claim& claim, const Constraint& constraint,
+                             const Alternative& alternative, const Box& box) {
+  if (alternative.train->is_stepped() && teeth_in(box).is_empty()) return true;  // holds no design
+  const FloorRecord& floor = kFloors[static_cast<std::size_t>(constraint.place)];
+  const Quantity quantity = floor_quantity(floor.quantity);
+  if (needs_ratio(quantity.measure) && violates_ratio(claim, alternative, box)) return true;
+  if (box.is_point()) return !satisfies(constraint, alternative, teeth_at(box.lower));
+  const Interval from(met_from(floor, *(alternative.problem->floors.*floor.limit)));
+  static const Interval any_ratio(Rational(1), Rational(1'000'000'000'000));
+  const Interval allowed =
+      claim.holds(ConstraintFamily::kRatio) ? ratio_interval(alternative) : any_ratio;
+  if (falls_short_in_doubles(quantity, alternative, box, allowed, from, 0) == true) return true;
+  const Interval spare = enclosure_on(quantity, alternative, box, allowed) - from;
+  return floor.is_ceiling ? spare.certainly_positive() : spare.certainly_negative();
+}
+
 bool fails_everywhere(const Claim& claim, const Alternative& alternative,
                       const Condition& condition, const Box& box) {
   switch (condition.kind) {
@@ -135,6 +153,9 @@ bool fails_everywhere(const Claim& claim, const Alternative& alternative,
     case Condition::Kind::kConstraint:
       if (condition.constraint->family == ConstraintFamily::kShaperRootForm) {
         return fails_shaper_everywhere(*condition.constraint, alternative, box);
+      }
+      if (condition.constraint->family == ConstraintFamily::kFloor) {
+        return misses_floor_everywhere(claim, *condition.constraint, alternative, box);
       }
       return !satisfies(*condition.constraint, alternative,
                         best_corner(*condition.constraint, box));
@@ -181,7 +202,9 @@ bool is_refuted_by_a_hypothesis(const Claim& claim, const Alternative& alternati
 bool refutes(const Claim& claim, const Alternative& alternative, const Condition& condition,
              const Box& box, Budget& budget) {
   // Constraints and ratios are judged exactly on boxes; bisecting would find no more.
-  const bool gains_by_bisection = condition.kind == Condition::Kind::kQuantity;
+  const bool gains_by_bisection =
+      condition.kind == Condition::Kind::kQuantity ||
+      (condition.constraint && condition.constraint->family == ConstraintFamily::kFloor);
   const int most_pieces = gains_by_bisection ? kMostPieces : 1;
   return settled_in_pieces(box, most_pieces, budget, [&](const Box& piece) {
     return fails_everywhere(claim, alternative, condition, piece);
@@ -194,8 +217,8 @@ bool respects_bound(const Claim& claim, const Alternative& alternative, const Ra
   const Interval margin = Interval(abs(bound)) * Interval(Rational(1, 1'000'000'000'000));
   return settled_in_pieces(box, 4 * kMostPieces, budget, [&](const Box& piece) {
     if (is_refuted_by_a_hypothesis(claim, alternative, piece)) return true;
-    const auto is_beyond =
-        falls_short_in_doubles(quantity, alternative, piece, Interval(bound), margin);
+    const auto is_beyond = falls_short_in_doubles(
+        quantity, alternative, piece, ratio_interval(alternative), Interval(bound), margin);
     if (is_beyond) return *is_beyond;
     const Interval excess =
         enclosure_on(quantity, alternative, piece, ratio_interval(alternative)) - Interval(bound);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "gearbox/synthesis/floor_conflict.hpp"
 #include "gearbox/synthesis/synthesis.hpp"
 #include "io/faults/refusal.hpp"
 #include "src/commands/gearbox/design_drawing.hpp"
@@ -46,7 +47,11 @@ SynthesisResult synthesised(const OptimizeRequest& request, const gearbox::Probl
                           progress.mass_kg ? fmt::format("{:.6g} kg", *progress.mass_kg) : "none",
                           progress.bound_kg));
   };
-  return gearbox::synthesise(problem, options);
+  SynthesisResult found = gearbox::synthesise(problem, options);
+  if (found.status != SynthesisStatus::kInfeasible) return found;
+  options.max_boxes = 0;
+  found.conflict = gearbox::floor_conflict(problem, options);
+  return found;
 }
 
 ExitCode exit_code_of(SynthesisStatus status) {

@@ -31,8 +31,12 @@ std::string verdict(const SynthesisResult& result) {
 }
 
 std::string widths_line(const SizedDesign& sized) {
-  return design_line("face widths", fmt::format("layer 1 {:.6g} mm, layer 2 {:.6g} mm",
-                                                sized.face_width_mm[0], sized.face_width_mm[1]));
+  const auto& [first, second] = sized.face_width_mm;
+  if (sized.design.teeth.size() < 5) {
+    return design_line("face width", fmt::format("{:.6g} mm", first));
+  }
+  return design_line("face widths",
+                     fmt::format("layer 1 {:.6g} mm, layer 2 {:.6g} mm", first, second));
 }
 
 std::string design_of(const SizedDesign& sized, bool has_all) {
@@ -65,6 +69,21 @@ std::string search_text(const SynthesisResult& result) {
   return text;
 }
 
+/// Of a problem without design: what stands in its way.
+std::string conflict_text(const SynthesisResult& result) {
+  if (result.status != SynthesisStatus::kInfeasible) return "";
+  if (!result.conflict) return "What conflicts was not settled in time.\n";
+  if (result.conflict->empty()) {
+    return "No load, face width, floor or ceiling is to blame: without any of them there is none "
+           "either.\n";
+  }
+  std::string text = "These conflict, none of them to spare:\n";
+  for (const ConflictMember& member : *result.conflict) {
+    text += fmt::format("  {}: {}\n", member.constraint, member.sentence);
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string synthesis_answer(const SynthesisResult& result) {
@@ -76,6 +95,7 @@ std::string synthesis_answer(const SynthesisResult& result) {
 std::string synthesis_text(const Problem& problem, const SynthesisResult& result, bool has_all) {
   std::string text = verdict(result) + "\n";
   text += fmt::format("Held fixed: {}.\n", held_fixed_by_synthesis(problem));
+  text += conflict_text(result);
   if (result.best) text += not_asked_text(has_all) + design_of(*result.best, has_all);
   const bool is_open = result.status == SynthesisStatus::kLimit;
   if ((has_all || is_open) && std::isfinite(result.bound_kg) && result.bound_kg > 0.0) {

@@ -26,6 +26,17 @@ inline nlohmann::json small_synthesis() {
   return problem;
 }
 
+/// A single stage of 5:1 for 60 Nm.
+inline nlohmann::json small_stage() {
+  nlohmann::json problem = small_synthesis();
+  problem["topology"] = "planetary";
+  problem["target_ratio"] = 5;
+  problem["ratio_tolerance"] = 0.01;
+  problem["min_teeth"] = {{"sun", 20}, {"planet", 16}};
+  problem["load"]["output_torque_Nm"] = 60;
+  return problem;
+}
+
 inline Problem problem_from(const nlohmann::json& root) {
   return read_problem(io::check_document(root, "gearbox_problem", "test.json", ""));
 }

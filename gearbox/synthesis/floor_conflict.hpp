@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "gearbox/search/search_result.hpp"
+#include "gearbox/synthesis/synthesis.hpp"
+
+namespace torquewright::gearbox {
+
+/// Which floors, ceilings, limits of face widths ("face_width") and load ("load") of a problem that
+/// was proved to have no design stand in its way: none of them to spare, each with the design that
+/// a synthesis without it found. Empty: there is none without any of them either. Nothing: the
+/// search was ended before that was proved.
+std::optional<std::vector<ConflictMember>> floor_conflict(const Problem& problem,
+                                                          const SynthesisOptions& options);
+
+}  // namespace torquewright::gearbox
