@@ -51,27 +51,32 @@ bool touches(const Site& site, std::size_t point) {
          (is_last && !site.is_last_phase() && touches_in(site.phase + 1));
 }
 
+/// From 0 to 1 as a share does, with slopes and curvatures that do not jump.
+template <typename T>
+T smooth(const T& share) {
+  if (!(share > T(0.0))) return T(0.0);
+  if (share > T(1.0)) return T(1.0);
+  return share * share * share * (share * (share * 6.0 - 15.0) + 10.0);
+}
+
 /// Height of points over ground that rises ahead of its edges and falls behind them, so that it is
-/// nowhere lower than the ground itself. Variables: position in the frame (m). Rows: one a point.
+/// nowhere lower than the ground itself, with a ridge on each edge. Variables: position in the
+/// frame (m). Rows: one a point.
 struct OverEdgesLaw {
   PlaceLaw place;
   simulation::GroundProfile ground;
-  double ramp_m = 0.0;  ///< How long a rise takes.
+  double ramp_m = 0.0;   ///< How long a rise takes.
+  double ridge_m = 0.0;  ///< What is kept above an edge.
 
   template <typename T>
   T ground_at(const T& x_m) const {
     T height_m(ground.heights_m.front());
     for (std::size_t i = 0; i < ground.edges_x_m.size(); ++i) {
       const double rise_m = ground.heights_m[i + 1] - ground.heights_m[i];
-      const double begin_m =
-          rise_m > 0.0 ? ground.edges_x_m[i] - ramp_m - kCorner_m : ground.edges_x_m[i] + kCorner_m;
-      const T share = (x_m - begin_m) * (1.0 / ramp_m);
-      if (!(share > T(0.0))) continue;
-      if (share > T(1.0)) {
-        height_m += rise_m;
-      } else {
-        height_m += share * share * share * (share * (share * 6.0 - 15.0) + 10.0) * rise_m;
-      }
+      const T to_edge_m = x_m - ground.edges_x_m[i];
+      const T ahead = smooth<T>((to_edge_m + (ramp_m + kCorner_m)) * (1.0 / ramp_m));
+      const T behind = smooth<T>((to_edge_m - kCorner_m) * (1.0 / ramp_m));
+      height_m += (rise_m > 0.0 ? ahead : behind) * rise_m + (ahead - behind) * ridge_m;
     }
     return height_m;
   }
@@ -103,8 +108,9 @@ void add_rows(const Site& site, Heights heights, optimization::Program& program)
   const std::vector<int> position = numbers_from(site.point().position, site.moving());
   const std::vector<double> scales(rows, typical::kLength_m);
   if (site.stance().is_flight() && !site.goal.ground.is_flat()) {
-    program.add_rows(jet_rows(name, position, std::move(heights.bounds), scales,
-                              OverEdgesLaw{std::move(place), site.goal.ground, kRamp_m}));
+    program.add_rows(jet_rows(
+        name, position, std::move(heights.bounds), scales,
+        OverEdgesLaw{std::move(place), site.goal.ground, kRamp_m, site.options.margins.edge_m}));
     return;
   }
   for (optimization::Bounds& bounds : heights.bounds) bounds.lower += site.ground_m();

@@ -97,7 +97,7 @@ std::vector<Direction> parts_of_reserve(const PlanOptions& options) {
   for (const MarginPart& part : margin_parts()) {
     const double margin = options.margins.*part.margin;
     const bool is_reserves = part.per_reserve > 0.0 && margin == part.per_reserve * options.reserve;
-    if (!is_reserves || !(margin > PlanMargins().*part.margin)) continue;
+    if (!is_reserves || !is_kept(part, options) || !(margin > PlanMargins().*part.margin)) continue;
     Direction& less = directions.emplace_back(Direction{{}, -1.0, &part});
     less.variable.name = "reserve of " + std::string(part.name);
     less.variable.unit = part.unit;

@@ -94,7 +94,7 @@ std::vector<BoundPrice> bound_prices(const Robot& robot, const PlanOptions& opti
                                      const SolvedProgram& solved, const KeptMargins& kept) {
   std::vector<BoundPrice> prices;
   for (const MarginPart& part : margin_parts()) {
-    prices.push_back(price_of(part, robot, options, solved, kept));
+    if (is_kept(part, options)) prices.push_back(price_of(part, robot, options, solved, kept));
   }
   for (const LongestPart& part : kLongest) {
     const auto add = [&](PlanOptions& more, double step) { more.longest.*part.longest_s += step; };

@@ -25,6 +25,9 @@ struct PlanMargins {
   /// The same in flight, where it is more: a leg on its stops can turn slower and never faster.
   double flight_position_rad = 0.0;
   double speed = 0.02;  ///< Share of joints' speed limits.
+  /// Height of the sole above the edges of the ground that it passes in flight: one that is met in
+  /// flight ends it.
+  double edge_m = 0.0;
   /// Share of the foot's length that the capture point keeps from either end where the last stance
   /// begins (CaptureLaw); 0: it may be anywhere.
   double capture_point = 0.0;

@@ -12,7 +12,8 @@ namespace torquewright::hopper {
 
 // The proportions are those of margins chosen by hand with which the hopper's flip stands in 96 of
 // 100 replays: 8 % of voltage, 15 % of friction, 30 % of the foot, 0.15 rad. The capture point
-// keeps to the part of the foot that the pressure point, which is to stop it, keeps to.
+// keeps to the part of the foot that the pressure point, which is to stop it, keeps to. Over edges
+// 0.12 keeps the 3 cm that other bodies keep from the ground.
 const std::vector<MarginPart>& margin_parts() {
   using Margins = PlanMargins;
   static const std::vector<MarginPart> parts{
@@ -35,6 +36,9 @@ const std::vector<MarginPart>& margin_parts() {
       {"joint range in flight", "--flight-position-margin", "rad",
        "How far they keep from them in flight, in rad, where that is more",
        &Margins::flight_position_rad, 1.875, 1.0},
+      {"edges of the ground", "--edge-margin", "m",
+       "How far above the edges of the ground that a flight passes the sole keeps, in m",
+       &Margins::edge_m, 0.25, 0.3},
       {"joint speed", "--speed-margin", "", "Share of the joints' speed limits that is kept",
        &Margins::speed, 0.0, 0.9},
       {"gears", "--gear-margin", "", "Share of each transmission's limit that is kept",
@@ -58,6 +62,12 @@ const MarginPart& tightest() {
 }
 
 }  // namespace
+
+bool is_kept(const MarginPart& part, const PlanOptions& options) {
+  if (part.margin != &PlanMargins::edge_m) return true;
+  return std::any_of(options.landings_m.begin(), options.landings_m.end(),
+                     [](double height_m) { return height_m != 0.0; });
+}
 
 double greatest_reserve() { return most_reserve(tightest()); }
 

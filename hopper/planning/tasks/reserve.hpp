@@ -22,6 +22,9 @@ struct MarginPart {
 /// Every planning margin, in the order in which answers list them.
 const std::vector<MarginPart>& margin_parts();
 
+/// Whether a part bounds anything of such a motion: edges are where landings differ in height.
+bool is_kept(const MarginPart& part, const PlanOptions& options);
+
 /// The usual margins, each at least what the reserve asks of it. `reserve` is a share of what there
 /// is: of voltage itself, of other parts by MarginPart::per_reserve. Throws io::SpecError, which
 /// names the part and how much there is, where it is too great.

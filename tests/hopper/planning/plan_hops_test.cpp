@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "dynamics/point.hpp"
@@ -19,6 +20,7 @@ using Eigen::Vector3d;
 constexpr double kHopPlace_m = 1e-6;
 constexpr double kHopSpeed_m_s = 0.8;
 constexpr double kHopStep_m = 0.085;
+constexpr double kHopEdge_m = 0.02;
 
 PlanOptions two_hops() {
   PlanOptions options;
@@ -26,6 +28,7 @@ PlanOptions two_hops() {
   options.repeat = 2;
   options.speed_m_s = kHopSpeed_m_s;
   options.landings_m = {0.0, kHopStep_m};
+  options.margins.edge_m = kHopEdge_m;
   options.intervals = 50;
   return options;
 }
@@ -68,25 +71,44 @@ TEST(PlannedHops, KeepToSpeedStridesAndStepAndTheCheckPassesThem) {
   EXPECT_NEAR(between.z(), first.z(), kHopPlace_m);
 }
 
+/// Places of the sole from heel to toe, at every sample.
+std::vector<Vector3d> places_of_the_sole(const Motion& motion) {
+  const Robot& robot = test::hopper_robot_of_plans();
+  const dynamics::BodyPoint &heel = robot.contacts[0].point, &toe = robot.contacts[2].point;
+  std::vector<Vector3d> places;
+  for (Index sample = 0; sample < motion.samples(); ++sample) {
+    const Vector3d rear = place_of(motion, sample, heel), front = place_of(motion, sample, toe);
+    for (int i = 0; i <= 40; ++i) places.push_back(rear + i / 40.0 * (front - rear));
+  }
+  return places;
+}
+
 // The corner is no place of the sole: 2 mm are what the check takes for rounding.
 TEST(PlannedHops, NoPartOfTheSoleGoesThroughTheGround) {
   const PlanResult& hops = planned_hops();
   ASSERT_EQ(hops.status, PlanStatus::kPlanned) << hops.reason;
-  const Motion& motion = hops.motion;
-  ASSERT_EQ(motion.ground.heights_m, (std::vector<double>{0.0, kHopStep_m}));
-  const Robot& robot = test::hopper_robot_of_plans();
-  const dynamics::BodyPoint &heel = robot.contacts[0].point, &toe = robot.contacts[2].point;
+  const simulation::GroundProfile& ground = hops.motion.ground;
+  ASSERT_EQ(ground.heights_m, (std::vector<double>{0.0, kHopStep_m}));
   double least_m = 1.0, highest_m = 0.0;
-  for (Index sample = 0; sample < motion.samples(); ++sample) {
-    const Vector3d rear = place_of(motion, sample, heel), front = place_of(motion, sample, toe);
-    for (int i = 0; i <= 40; ++i) {
-      const Vector3d at = rear + i / 40.0 * (front - rear);
-      least_m = std::min(least_m, at.z() - motion.ground.height_m(at.x()));
-      highest_m = std::max(highest_m, motion.ground.height_m(at.x()));
-    }
+  for (const Vector3d& at : places_of_the_sole(hops.motion)) {
+    least_m = std::min(least_m, at.z() - ground.height_m(at.x()));
+    highest_m = std::max(highest_m, ground.height_m(at.x()));
   }
   EXPECT_GT(least_m, -2e-3);
   EXPECT_EQ(highest_m, kHopStep_m);
+}
+
+// Within the 5 mm on either side that count as the edge, and by no more than the plan has to.
+TEST(PlannedHops, TheSolePassesTheEdgeAsHighAsIsAskedFor) {
+  const PlanResult& hops = planned_hops();
+  ASSERT_EQ(hops.status, PlanStatus::kPlanned) << hops.reason;
+  double least_m = 1.0;
+  for (const Vector3d& at : places_of_the_sole(hops.motion)) {
+    if (std::abs(at.x() - hops.motion.ground.edges_x_m.front()) > 5e-3) continue;
+    least_m = std::min(least_m, at.z() - kHopStep_m);
+  }
+  EXPECT_GT(least_m, kHopEdge_m - 2e-3);
+  EXPECT_LT(least_m, kHopEdge_m + 10e-3);
 }
 
 TEST(PlannedHops, StandWhenTheyAreReplayed) {

@@ -71,7 +71,7 @@ TEST(BoundPrices, AreTheSlopesOfTheObjective) {
   ASSERT_TRUE(jump.solved.solution.is_solved());
   const std::vector<BoundPrice> prices =
       bound_prices(jump.robot, jump.options, jump.solved, KeptMargins());
-  ASSERT_EQ(prices.size(), margin_parts().size() + 5);
+  ASSERT_EQ(prices.size(), margin_parts().size() - 1 + 5);  // flat ground has no edges
   const auto expect = [&](const std::string& name, auto add) {
     SCOPED_TRACE(name);
     const BoundPrice& price = named(prices, name);
@@ -93,6 +93,7 @@ TEST(Reserve, IsSoManyTimesEachPart) {
   EXPECT_DOUBLE_EQ(margins.capture_point, 0.3);
   EXPECT_DOUBLE_EQ(margins.position_rad, 0.15);
   EXPECT_DOUBLE_EQ(margins.flight_position_rad, 0.15);
+  EXPECT_DOUBLE_EQ(margins.edge_m, 0.02);
   EXPECT_DOUBLE_EQ(margins.gear_load, PlanMargins().gear_load);
   // The usual ones are the least.
   EXPECT_DOUBLE_EQ(with_reserve(0.001).friction, PlanMargins().friction);
