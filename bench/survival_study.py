@@ -101,7 +101,7 @@ def trials(options, files, engine, controller):
                          capture_output=True, text=True)
     found = json.loads(run.stdout)["trials"]
     least, most = (100 * end for end in found["interval"])
-    return (f"{found['succeeded']} of {found['count'] - found['unfinished']}, "
+    return (f"{found['succeeded']} of {found['count']}, "
             f"{least:.0f} to {most:.0f} %")
 
 
