@@ -37,7 +37,7 @@ const std::vector<MarginPart>& margin_parts() {
        "How far they keep from them in flight, in rad, where that is more",
        &Margins::flight_position_rad, 1.875, 1.0},
       {"edges of the ground", "--edge-margin", "m",
-       "How far above the edges of the ground that a flight passes the sole keeps, in m",
+       "How far the sole keeps above the edges of the ground that a flight passes, in m",
        &Margins::edge_m, 0.25, 0.3},
       {"joint speed", "--speed-margin", "", "Share of the joints' speed limits that is kept",
        &Margins::speed, 0.0, 0.9},
