@@ -9,7 +9,7 @@
 
 #include "identification/reading/read_log.hpp"
 #include "identification/robot/fitted_actuator_json.hpp"
-#include "identification/robot/simulated_names.hpp"
+#include "identification/robot_search/simulated_names.hpp"
 #include "identification/rollout/servo_start.hpp"
 #include "io/faults/json_text.hpp"
 #include "io/text/wording.hpp"

@@ -19,7 +19,7 @@
 #include "identification/robot/fitted_robot_json.hpp"
 #include "identification/robot/robot_output.hpp"
 #include "identification/robot/robot_study.hpp"
-#include "identification/robot/simulated_names.hpp"
+#include "identification/robot_search/simulated_names.hpp"
 #include "identification/rollout/rollout.hpp"
 #include "identification/rollout/servo_start.hpp"
 #include "io/documents/document.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/robot/simulated_candidates.hpp"
+#include "identification/robot_search/simulated_candidates.hpp"
 
 #include <algorithm>
 #include <array>
@@ -139,6 +139,11 @@ Ranges ranges_of_joint(const Log& log, const RobotModel& model, std::size_t join
   ranges.torque_Nm = std::max(1e-6, nearly_most(torques));
   ranges.angle_rad = std::max(1e-6, high - low);
   return ranges;
+}
+
+bool any_is_asked(const std::function<bool(const std::string& effect)>& asks) {
+  return std::any_of(kAsked.begin(), kAsked.end(),
+                     [&](const EffectKind* kind) { return asks(std::string(kind->name)); });
 }
 
 std::vector<SimulatedCandidate> simulated_candidates(

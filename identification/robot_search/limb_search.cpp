@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/robot/simulated_search.hpp"
+#include "identification/robot_search/limb_search.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -7,7 +7,7 @@
 #include <optional>
 #include <set>
 
-#include "identification/robot/simulated_candidates.hpp"
+#include "identification/robot_search/simulated_candidates.hpp"
 #include "identification/rollout/output_errors.hpp"
 
 namespace torquewright::identification {
@@ -17,7 +17,6 @@ using actuator::Effect;
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Of = FreeValue::Of;
 
 constexpr double kFound = 25.0;  ///< Squared standard errors.
 constexpr double kTried = 1.0;
@@ -72,21 +71,20 @@ bool becomes(const Effect& law, const Effect& other) {
 
 class LimbSearch {
  public:
-  LimbSearch(const Log& log, const RobotModel& stated, const RobotModel& begin, std::size_t limb,
-             std::vector<FreeValue> values, const NamedByJoint& named,
+  LimbSearch(const Log& log, LimbState begin, std::size_t limb, const NamedByJoint& named,
              const std::function<bool(const std::string&)>& asks)
       : log_(log),
-        stated_(stated),
+        stated_(std::move(begin.stated)),
         limb_(limb),
-        of_limb_(limbs_of(stated.load)[limb]),
-        values_(std::move(values)),
+        of_limb_(limbs_of(stated_.load)[limb]),
+        values_(std::move(begin.values)),
         named_(named),
         asks_(asks),
         training_(fit_windows(log, kMost_s)),
         held_out_(fit_windows(log, kMost_s, true)) {
-    for (std::size_t joint = 0; joint < stated.drives.size(); ++joint)
-      ranges_.push_back(ranges_of_joint(log, stated, joint));
-    fit_ = fitted_already(begin);
+    for (std::size_t joint = 0; joint < stated_.drives.size(); ++joint)
+      ranges_.push_back(ranges_of_joint(log, stated_, joint));
+    fit_ = fitted_already(begin.model);
   }
 
   /// Fits the limb's values anew, where the model that was given is no fit of them.
@@ -114,10 +112,7 @@ class LimbSearch {
     }
   }
 
-  const RobotModel& stated() const { return stated_; }
-  const ValueFit& fit() const { return fit_; }
-  const std::vector<FreeValue>& values() const { return values_; }
-  const Limb& limb() const { return of_limb_; }
+  LimbState state() const { return {stated_, fit_.model, values_}; }
 
  private:
   /// What a fit whose values the model holds leaves; of no weight where it grows without bound.
@@ -440,100 +435,16 @@ class LimbSearch {
   ValueFit fit_;
 };
 
-/// The study's values without the waves of friction that it found: they are candidates.
-std::vector<FreeValue> values_of(const RobotStudy& study, const RobotModel& stated) {
-  std::vector<FreeValue> values;
-  for (const FittedValue& each : study.fit.values) {
-    const bool is_wave = each.which.of == Of::kWave;
-    if (is_wave && !has_wave_of_friction(stated.drives[each.which.joint])) continue;
-    values.push_back(each.which);
-  }
-  return values;
-}
-
-/// As stated, with plain friction, and with what all limbs have in common as it was fitted.
-RobotModel centre_of(const RobotModel& stated, const RobotStudy& study) {
-  RobotModel centre = stated;
-  add_plain_friction(centre);
-  centre.controllers = study.fit.model.controllers;
-  return centre;
-}
-
-RobotModel without_found_waves(RobotModel model, const RobotModel& stated) {
-  for (std::size_t joint = 0; joint < model.drives.size(); ++joint) {
-    if (!has_wave_of_friction(stated.drives[joint])) erase_waves_of_friction(model.drives[joint]);
-  }
-  return model;
-}
-
 }  // namespace
 
-SimulatedSearch search_by_simulation(const Log& log, const RobotModel& stated,
-                                     const NamedByJoint& named,
-                                     const std::vector<std::vector<std::size_t>>& alike,
-                                     const std::function<bool(const std::string&)>& asks,
-                                     RobotStudy& study,
-                                     const std::function<void(double share)>& on_progress) {
-  SimulatedSearch search;
-  search.tried.resize(stated.drives.size());
-  if (study.fit.values.empty()) return search;
-  const std::vector<FreeValue> all = values_of(study, stated);
-  const std::vector<Limb> limbs = limbs_of(stated.load);
-  RobotModel centre = centre_of(stated, study);
-  RobotModel begin = without_found_waves(study.fit.model, stated);
-  std::vector<FreeValue> values;
-  for (const FreeValue& each : all) {
-    if (each.is_of_all()) values.push_back(each);
-  }
-  const RobotModel common = begin;
-  RobotModel of_limbs = centre;
-  for (const FreeValue& each : all) {
-    if (each.is_of_all() && limbs.size() > 1) set_value(of_limbs, each, value_in(common, each));
-  }
-  for (std::size_t limb = 0; limb < limbs.size(); ++limb) {
-    std::vector<FreeValue> own;
-    for (const FreeValue& each : all) {
-      const bool is_own =
-          !each.is_of_all() && std::find(limbs[limb].joints.begin(), limbs[limb].joints.end(),
-                                         each.joint) != limbs[limb].joints.end();
-      if (is_own || (each.is_of_all() && limbs.size() == 1)) own.push_back(each);
-    }
-    if (!own.empty()) {
-      LimbSearch of_limb(log, of_limbs, common, limb, own, named, asks);
-      const bool had_waves =
-          std::any_of(limbs[limb].joints.begin(), limbs[limb].joints.end(), [&](std::size_t joint) {
-            return study.varies[joint] && !has_wave_of_friction(stated.drives[joint]);
-          });
-      if (had_waves) of_limb.fit_again();
-      of_limb.run(search);
-      for (const FreeValue& each : of_limb.values()) {
-        if (!each.is_of_all()) values.push_back(each);
-      }
-      for (const std::size_t joint : limbs[limb].joints) {
-        centre.drives[joint] = of_limb.stated().drives[joint];
-        begin.drives[joint] = of_limb.fit().model.drives[joint];
-      }
-      if (limbs.size() == 1) begin = of_limb.fit().model;
-    }
-    if (on_progress)
-      on_progress(0.8 * static_cast<double>(limb + 1) / static_cast<double>(limbs.size()));
-  }
-  if (search.found.empty()) return search;
-  ValueFitOptions options;
-  options.begin = begin;
-  options.most_rounds = kRounds;
-  options.most_simulated_s = kMost_s;
-  options.on_progress = [&](double share) {
-    if (on_progress) on_progress(0.8 + 0.2 * share);
-  };
-  ValueFit fit = fit_values(log, centre, values, options);
-  if (fit.values.empty()) return search;
-  fit.rms_before_rad = study.fit.rms_before_rad;
-  study.fit = std::move(fit);
-  for (std::size_t joint = 0; joint < study.varies.size(); ++joint)
-    study.varies[joint] = has_wave_of_friction(study.fit.model.drives[joint]);
-  tell_of(log, stated, alike, study);
-  return search;
+LimbState search_limb(const Log& log, LimbState begin, std::size_t limb, bool fits_first,
+                      const NamedByJoint& named,
+                      const std::function<bool(const std::string&)>& asks,
+                      SimulatedSearch& search) {
+  LimbSearch of_limb(log, std::move(begin), limb, named, asks);
+  if (fits_first) of_limb.fit_again();
+  of_limb.run(search);
+  return of_limb.state();
 }
 
 }  // namespace torquewright::identification

@@ -34,7 +34,8 @@ using NamedByJoint = std::vector<std::vector<actuator::Effect>>;
 /// loops lacks: each candidate's share of what is left, beside all values of the limb, by slopes;
 /// then fits of the best, and of what the balance of torques named, by output error. An effect is
 /// found that follows the training runs better by 5 standard errors, beside all values, and the
-/// held-out runs too. The study is fitted again with what was found. `asks`: whether an effect of a
+/// held-out runs too. The study is fitted again with what was found; where that follows no better
+/// than the study did, nothing is said. `asks`: whether an effect of a
 /// name may be named.
 SimulatedSearch search_by_simulation(const Log& log, const RobotModel& stated,
                                      const NamedByJoint& named,

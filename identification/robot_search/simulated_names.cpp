@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "identification/robot/simulated_names.hpp"
+#include "identification/robot_search/simulated_names.hpp"
 
 #include <fmt/format.h>
 

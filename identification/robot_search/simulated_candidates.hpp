@@ -17,6 +17,9 @@ struct SimulatedCandidate {
   bool is_nothing = true;  ///< It changes nothing as it stands here, and begins by its amplitudes.
 };
 
+/// Whether any effect may be named that a search by simulation knows.
+bool any_is_asked(const std::function<bool(const std::string& effect)>& asks);
+
 /// What the drives of a robot's joints may lack so that a simulation shows it: laws of torque whose
 /// form is known without a log. `asks`: whether an effect of a name may be named.
 std::vector<SimulatedCandidate> simulated_candidates(

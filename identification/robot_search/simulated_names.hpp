@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "identification/findings/result.hpp"
-#include "identification/robot/simulated_search.hpp"
+#include "identification/robot_search/simulated_search.hpp"
 
 namespace torquewright::identification {
 
