@@ -27,10 +27,14 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Costs a second (2 n x 1) and (drives x 1): the squares of what counts as one; eq. (12).
+/// Where nothing presses on the ground no torque moves it; a weight is finite all the same.
+constexpr double kLeastTorque = 0.05;  // of what counts as one elsewhere
+
+/// Costs of errors a second (2 n x 1), the squares of what counts as one, and the torques that
+/// count as one (drives x 1) while nothing makes them less; eq. (12).
 struct Weights {
   VectorXd error_1_s;
-  VectorXd torque_1_s;
+  VectorXd torque_Nm;
 };
 
 double weight_of(double one) {
@@ -59,8 +63,7 @@ VectorXd torques_Nm(const Robot& robot, const Reference& reference, const LqrOpt
 
 Weights weights_of(const Robot& robot, const Reference& reference, const LqrOptions& options) {
   const Index n = robot.tree.velocity_size();
-  const VectorXd torque_Nm = torques_Nm(robot, reference, options);
-  Weights weights{VectorXd(2 * n), VectorXd(torque_Nm.size())};
+  Weights weights{VectorXd(2 * n), torques_Nm(robot, reference, options)};
   const Index base = robot.tree.base_velocity_size(),
               places = base == 6 ? 3 : std::min<Index>(base, 2);
   for (Index i = 0; i < n; ++i) {
@@ -72,9 +75,7 @@ Weights weights_of(const Robot& robot, const Reference& reference, const LqrOpti
                                          : is_base ? options.turn_rate_rad_s
                                                    : options.joint_rate_rad_s);
   }
-  for (Index drive = 0; drive < torque_Nm.size(); ++drive) {
-    weights.torque_1_s[drive] = weight_of(torque_Nm[drive]);
-  }
+  for (const double one_Nm : weights.torque_Nm) (void)weight_of(one_Nm);  // refuses what is none
   return weights;
 }
 
@@ -164,8 +165,20 @@ class Recursion {
     step.B = to.to_free * model.by_drive.leftCols(drives);
     drift = to.to_free * model.by_drive.rightCols(unknowns());
     step.Q = period_s * (free.transpose() * weights_.error_1_s.asDiagonal() * free);
-    step.R = period_s * MatrixXd(weights_.torque_1_s.asDiagonal());
+    const auto one_Nm = torque_that_counts_as_one(from, touches);
+    if (!one_Nm) return stop(GainOutcome::kUnreached, from.time_s, from.instant);
+    step.R = period_s * MatrixXd(one_Nm->cwiseAbs2().cwiseInverse().asDiagonal());
     return true;
+  }
+
+  /// The less what touches is pressed on, the sooner it tips.
+  std::optional<VectorXd> torque_that_counts_as_one(const Knot& at, const TouchingPoints& touches) {
+    const VectorXd& usual_Nm = weights_.torque_Nm;
+    if (options_.torque_Nm.size() > 0 || !touches.any()) return usual_Nm;
+    const auto tipping_Nm = tipping_torques_Nm(body_, state_of(at.instant), touches);
+    if (!tipping_Nm) return std::nullopt;
+    return VectorXd(
+        usual_Nm.cwiseMin(options_.tipping_share * *tipping_Nm).cwiseMax(kLeastTorque * usual_Nm));
   }
 
   bool is_weighed(std::size_t mode) const {

@@ -48,6 +48,10 @@ MatrixXd distances_inside_m(const Robot& robot, const std::vector<Vector2d>& cor
       inwards = {Vector2d::UnitX(), -Vector2d::UnitX()};
       on_edge = {*back, *front};
     }
+  } else if (polygon.size() == 2) {  // over a line: its ends
+    const Vector2d way = (polygon[1] - polygon[0]).normalized();
+    inwards = {way, -way};
+    on_edge = {polygon[0], polygon[1]};
   } else if (polygon.size() >= 3) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
       const Vector2d way = (polygon[(i + 1) % polygon.size()] - polygon[i]).normalized();

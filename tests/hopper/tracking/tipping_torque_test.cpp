@@ -65,6 +65,35 @@ TEST(TippingTorque, OfABlockOnOneAnkle) {
   EXPECT_NEAR(found_Nm[0], expected_Nm, 1e-9 * expected_Nm);
 }
 
+/// The same in space, its foot two points beside each other, rolled by the drive; its mass is over
+/// the line between them, about which nothing holds it.
+Robot block_on_a_rolling_ankle() {
+  Robot robot = block_on_an_ankle();
+  robot.tree.base = dynamics::BaseKind::kSpatial;
+  robot.tree.bodies[0].inertia.center_of_mass_m.x() = 0.0;
+  robot.tree.bodies[1].joint.axis = Eigen::Vector3d::UnitX();
+  robot.contacts[0].point.p_B_m = {0, kHeel_m, 0};
+  robot.contacts[1].point.p_B_m = {0, kToe_m, 0};
+  return robot;
+}
+
+// On a line of points the ends are what it tips over: the same closed form.
+TEST(TippingTorque, OverALineIsThatOfItsEnds) {
+  const Robot robot = block_on_a_rolling_ankle();
+  WholeBody body(robot);
+  VectorXd position = VectorXd::Zero(8);
+  position[3] = 1.0;  // the quaternion's real part
+  const VectorXd rest = VectorXd::Zero(7);
+  const double about_ankle = kInertia_kg_m2 + kBlock_kg * kHeight_m * kHeight_m;
+  const double expected_Nm = (kFoot_kg + kBlock_kg) * robot.tree.gravity_m_s2 * 0.5 *
+                             (kToe_m - kHeel_m) /
+                             (1.0 + kBlock_kg * kHeight_m * kAnkle_m / about_ankle) / kGearing;
+  const auto found_Nm = tipping_torques_Nm(body, {position, rest, VectorXd::Zero(1)},
+                                           TouchingPoints::Constant(2, true));
+  ASSERT_TRUE(found_Nm);
+  EXPECT_NEAR((*found_Nm)[0], expected_Nm, 1e-9 * expected_Nm);
+}
+
 TEST(TippingTorque, IsInfiniteWhereNothingIsSpanned) {
   const Robot robot = block_on_an_ankle();
   TouchingPoints heel = TouchingPoints::Constant(2, true);

@@ -7,10 +7,12 @@
 #include <limits>
 
 #include "dynamics/position_step.hpp"
+#include "hopper/tracking/drive_torque.hpp"
 #include "hopper/tracking/error_space.hpp"
 #include "hopper/tracking/gain_schedule.hpp"
 #include "hopper/tracking/lqr.hpp"
 #include "hopper/tracking/pd.hpp"
+#include "hopper/tracking/tipping_torque.hpp"
 #include "tests/hopper/tracking/closed_loop.hpp"
 
 namespace torquewright::hopper {
@@ -145,19 +147,49 @@ TEST_F(Standing, RefusesWeightsThatAreNone) {
   EXPECT_THROW((void)lqr_controller(robot, reference, nullptr, {}, {}), std::invalid_argument);
 }
 
-/// One row that is held for a time.
-Reference held(const Robot& robot, const VectorXd& position, bool touches, double duration_s) {
+/// One row that is held for a time, with torques at its begin and end.
+Reference held(const Robot& robot, const VectorXd& position, bool touches, double duration_s,
+               const MatrixXd& drives_Nm) {
   Motion motion;
   motion.times_s = {0.0, duration_s};
   motion.positions = position.replicate(1, 2);
   motion.velocities = motion.accelerations = MatrixXd::Zero(robot.tree.velocity_size(), 2);
   ContactSchedule contacts;
   contacts.touches = Touching::Constant(static_cast<Index>(robot.contacts.size()), 2, touches);
+  return {robot, motion, contacts, drives_Nm};
+}
+
+Reference held(const Robot& robot, const VectorXd& position, bool touches, double duration_s) {
   Index drives = 0;
   for (const Drivetrain& one : robot.drivetrains) {
     drives += static_cast<Index>(one.actuators.size());
   }
-  return {robot, motion, contacts, MatrixXd::Zero(drives, 2)};
+  return held(robot, position, touches, duration_s, MatrixXd::Zero(drives, 2));
+}
+
+// One period in which the drives begin with half of what stands: the foot bears less then, and what
+// tips it counts. Oracle: the same torques stated by hand; the cost behind knows no torque.
+TEST_F(Standing, TorqueCountsByWhatTipsTheFootThenAndAtTheEnd) {
+  LqrOptions options;
+  options.end = LqrEnd::kWeights;
+  const TouchingPoints all = TouchingPoints::Constant(4, true);
+  const VectorXd rest = VectorXd::Zero(9), half_Nm = 0.5 * wanted.drive_Nm;
+  MatrixXd drives_Nm(3, 2);
+  drives_Nm << half_Nm, wanted.drive_Nm;
+  const Reference slack = held(robot, wanted.position, true, options.control_period_s, drives_Nm);
+  WholeBody body(robot);
+  const auto then_Nm = tipping_torques_Nm(body, {wanted.position, rest, half_Nm}, all);
+  const auto at_end_Nm = tipping_torques_Nm(body, {wanted.position, rest, wanted.drive_Nm}, all);
+  ASSERT_TRUE(then_Nm && at_end_Nm);
+  ASSERT_LT((*then_Nm)[1], 0.9 * (*at_end_Nm)[1]);
+  LqrOptions stated = options;
+  stated.torque_Nm =
+      (0.05 * peak_torques_Nm(robot)).cwiseMin(0.5 * *then_Nm).cwiseMin(0.5 * *at_end_Nm);
+  const LqrResult found = lqr_gains(robot, slack, options);
+  const LqrResult expected = lqr_gains(robot, slack, stated);
+  ASSERT_TRUE(found.gains && expected.gains);
+  const MatrixXd& gain = expected.gains->at(0, 0.0).of_error;
+  EXPECT_LT((found.gains->at(0, 0.0).of_error - gain).norm(), 1e-9 * gain.norm());
 }
 
 // In the air nothing holds the height; for a tenth of a second that is no matter.
