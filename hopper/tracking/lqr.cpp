@@ -171,10 +171,12 @@ class Recursion {
     return true;
   }
 
-  /// The less what touches is pressed on, the sooner it tips.
+  /// The less what touches is pressed on, the sooner it tips. Without weighing the feedback has to
+  /// mend what the documents have wrong, then too.
   std::optional<VectorXd> torque_that_counts_as_one(const Knot& at, const TouchingPoints& touches) {
     const VectorXd& usual_Nm = weights_.torque_Nm;
-    if (options_.torque_Nm.size() > 0 || !touches.any()) return usual_Nm;
+    const bool is_stated = options_.torque_Nm.size() > 0;
+    if (is_stated || !options_.weighs || !touches.any()) return usual_Nm;
     const auto tipping_Nm = tipping_torques_Nm(body_, state_of(at.instant), touches);
     if (!tipping_Nm) return std::nullopt;
     return VectorXd(

@@ -26,8 +26,8 @@ struct LqrOptions {
   double turn_rate_rad_s = 1.0;    ///< Error of the base's angular velocity.
   double joint_rate_rad_s = 2.0;   ///< Error of every joint's rate.
   double torque_share = 0.05;      ///< Torque as a share of each drive's peak torque.
-  /// Upper bound of that torque, as a share of the torque with which what touches then, and in the
-  /// last stance, begins to tip (tipping_torque.hpp), where it can.
+  /// Upper bound of that torque, as a share of the torque with which the foot of the last stance
+  /// and, where it weighs, what touches then begins to tip (tipping_torque.hpp), where it can.
   double tipping_share = 0.5;
   /// Torques by drive, at its output, in place of the two shares; empty: the shares hold.
   Eigen::VectorXd torque_Nm;

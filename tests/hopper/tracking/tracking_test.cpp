@@ -172,6 +172,7 @@ Reference held(const Robot& robot, const VectorXd& position, bool touches, doubl
 TEST_F(Standing, TorqueCountsByWhatTipsTheFootThenAndAtTheEnd) {
   LqrOptions options;
   options.end = LqrEnd::kWeights;
+  options.weighs = true;
   const TouchingPoints all = TouchingPoints::Constant(4, true);
   const VectorXd rest = VectorXd::Zero(9), half_Nm = 0.5 * wanted.drive_Nm;
   MatrixXd drives_Nm(3, 2);
