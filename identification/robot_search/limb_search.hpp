@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "identification/robot_search/simulated_search.hpp"
+#include "identification/robot_search/simulated_effect.hpp"
 
 namespace torquewright::identification {
 

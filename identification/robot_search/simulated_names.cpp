@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "actuator/effects/every_effect.hpp"
 #include "actuator/effects/library.hpp"
 #include "identification/findings/verdict.hpp"
 #include "identification/findings/with_effects.hpp"
@@ -20,14 +21,13 @@ constexpr double kMoved = 3.0;  ///< Standard errors of a value that is not as s
 
 /// Effects that are plain numbers of every joint's fit, and their number there.
 struct PlainNumber {
-  const char* effect;
+  const actuator::EffectKind* kind;
   Of of;
-  const char* own_effect;
 };
 constexpr PlainNumber kPlain[] = {
-    {"coulomb_friction", Of::kEffect, "coulomb_friction"},
-    {"viscous_friction", Of::kEffect, "viscous_friction"},
-    {"reflected_inertia", Of::kRotor, ""},
+    {&actuator::effects::coulomb_friction, Of::kEffect},
+    {&actuator::effects::viscous_friction, Of::kEffect},
+    {&actuator::effects::reflected_inertia, Of::kRotor},
 };
 
 bool is_in(const std::vector<std::string>& names, const std::string& name) {
@@ -37,11 +37,10 @@ bool is_in(const std::vector<std::string>& names, const std::string& name) {
 const FittedValue* plain_value(const RobotStudy& study, std::size_t joint,
                                const std::string& effect) {
   for (const PlainNumber& plain : kPlain) {
-    if (effect != plain.effect) continue;
+    if (effect != plain.kind->name) continue;
     for (const FittedValue& each : study.fit.values) {
-      if (each.which.joint == joint && each.which.of == plain.of &&
-          each.which.effect == plain.own_effect)
-        return &each;
+      const bool is_own = plain.of == Of::kRotor || each.which.effect == effect;
+      if (each.which.joint == joint && each.which.of == plain.of && is_own) return &each;
     }
   }
   return nullptr;
@@ -202,7 +201,7 @@ void add_of(const std::vector<NamedEffect>& all, const actuator::Actuator& state
   for (const NamedEffect& each : all) {
     const bool is_plain =
         std::any_of(std::begin(kPlain), std::end(kPlain),
-                    [&](const PlainNumber& plain) { return each.effect == plain.effect; });
+                    [&](const PlainNumber& plain) { return each.effect == plain.kind->name; });
     if (each.family != EffectFamily::kActuator || is_plain) continue;
     const actuator::Effect effect = with_effects(stated, {each}).effects.back();
     const bool is_there =

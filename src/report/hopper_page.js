@@ -90,7 +90,7 @@
   }), { rootMargin: "100px" });
   for (const holder of holders.keys()) watcher.observe(holder);
 
-  let toldAt = -Infinity; // The clock's time at which numbers were last written.
+  let toldAt = -1000; // The clock's time, in ms from the page's opening, when numbers were last told.
 
   function draw(held, withNumbers = true) {
     if (held.marked !== now) held.marks.forEach(drawMark);

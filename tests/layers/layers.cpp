@@ -167,6 +167,7 @@ const std::map<std::string, Rooms, std::less<>> kRooms = {
       {"replay", {"simulated", "preparation", "findings", "forward"}},
       {"rollout", {"rig", "log", "simulated", "findings", "selection"}},
       {"robot", {"rig", "log", "reading", "simulated", "rollout"}},
+      {"robot_search", {"log", "findings", "forward", "rollout", "robot"}},
       {"experiment", {"rig", "simulated", "signals", "preparation", "findings", "forward"}},
       {"answer",
        {"log", "reading", "signals", "preparation", "findings", "forward", "selection",
