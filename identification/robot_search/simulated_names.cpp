@@ -107,9 +107,10 @@ class JudgedEquation {
                        [&](const SimulatedEffect& each) { return each.joint == joint_; });
   }
 
-  /// Why the simulation does not need a name; empty where it does, or cannot say.
+  /// Why the simulation does not need a name; empty where it does, or cannot say: that it follows
+  /// no better with a law says little as long as it does not follow by another.
   std::string objection(const NamedEffect& named) const {
-    if (is_found(named.effect)) return "";
+    if (!has_found() || is_found(named.effect)) return "";
     if (const FittedValue* plain = plain_value(study_, joint_, named.effect)) {
       const double moved = std::abs(plain->value - plain->stated);
       if (moved > kMoved * plain->standard_error) return "";
@@ -119,10 +120,9 @@ class JudgedEquation {
           plain->which.name, plain->value, plain->standard_error, plain->stated);
     }
     const bool is_offset = named.family == EffectFamily::kLog && named.effect == "torque_offset";
-    if (is_offset && has_found())
-      return "simulated under its own loop, the robot follows its log as well without it";
-    if (named.family != EffectFamily::kActuator || !is_in(search_.tried[joint_], named.effect))
-      return "";
+    const bool is_tried =
+        named.family == EffectFamily::kActuator && is_in(search_.tried[joint_], named.effect);
+    if (!is_offset && !is_tried) return "";
     return "simulated under its own loop, the robot follows its log as well without it";
   }
 
