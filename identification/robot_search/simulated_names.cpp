@@ -66,8 +66,8 @@ FoundParameters parameters_of(const SimulatedEffect& found) {
 
 std::string evidence_of(const SimulatedEffect& found) {
   return fmt::format(
-      "simulated under its own loop, the robot follows its log better by {:.0f} standard errors "
-      "with it; of the runs not fitted the joint is {:.3g} mrad off, and was {:.3g}",
+      "Simulated under its own loop, the robot follows its log better by {:.0f} standard errors "
+      "with it; on the runs not fitted the joint is {:.3g} mrad off, and was {:.3g}.",
       found.sigmas, 1e3 * found.after_rad, 1e3 * found.before_rad);
 }
 
@@ -158,7 +158,7 @@ class JudgedEquation {
     if (own != equation_.added.end()) {
       own->doubt.clear();
       own->is_refuted = false;
-      own->evidence += (own->evidence.empty() ? "" : "; ") + evidence_of(found);
+      own->evidence += (own->evidence.empty() ? "" : " ") + evidence_of(found);
     } else if (!actuator::is_wave_of_friction(name)) {  // which stands for any slow rise and fall
       NamedEffect named;
       named.effect = name;
