@@ -5,28 +5,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "actuator/trajectory/units_row.hpp"
 #include "io/documents/document.hpp"
 #include "io/text/units.hpp"
 #include "io/text/wording.hpp"
 
 namespace torquewright::actuator {
-namespace {
-
-io::Dimension dimension_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::kTime:
-      return io::Dimension::kTime;
-    case Quantity::kPosition:
-      return io::Dimension::kAngle;
-    case Quantity::kVelocity:
-      return io::Dimension::kAngularVelocity;
-    case Quantity::kTorque:
-      break;
-  }
-  return io::Dimension::kTorque;
-}
-
-}  // namespace
 
 std::vector<ColumnMapping> read_columns(const io::Document& document) {
   std::vector<ColumnMapping> mappings;

@@ -132,20 +132,6 @@ std::vector<ColumnMapping> complete(const io::CsvReader& csv,
   return all;
 }
 
-io::Dimension dimension_of(Quantity quantity) {
-  switch (quantity) {
-    case Quantity::kTime:
-      return io::Dimension::kTime;
-    case Quantity::kPosition:
-      return io::Dimension::kAngle;
-    case Quantity::kVelocity:
-      return io::Dimension::kAngularVelocity;
-    case Quantity::kTorque:
-      break;
-  }
-  return io::Dimension::kTorque;
-}
-
 }  // namespace
 
 std::string no_rows_within(const Window& window, double first_s, double last_s) {

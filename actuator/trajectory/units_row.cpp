@@ -12,6 +12,20 @@
 
 namespace torquewright::actuator {
 
+io::Dimension dimension_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kTime:
+      return io::Dimension::kTime;
+    case Quantity::kPosition:
+      return io::Dimension::kAngle;
+    case Quantity::kVelocity:
+      return io::Dimension::kAngularVelocity;
+    case Quantity::kTorque:
+      break;
+  }
+  return io::Dimension::kTorque;
+}
+
 double with_units_row(const io::CsvReader& csv, std::size_t column, io::Dimension dimension,
                       double factor, bool is_stated) {
   if (csv.units().empty() || is_stated) return factor;

@@ -3,10 +3,14 @@
 
 #include <cstddef>
 
+#include "actuator/trajectory/columns.hpp"
 #include "io/files/csv.hpp"
 #include "io/text/units.hpp"
 
 namespace torquewright::actuator {
+
+/// What a channel of a motion measures.
+io::Dimension dimension_of(Quantity quantity);
 
 /// What turns a column's numbers into SI units, where a row of units may stand under the header. It
 /// counts for a column whose name says none; `is_stated`: the command line or a document says the

@@ -106,7 +106,7 @@ class LimbSearch {
       RobotModel stated = stated_;
       stated.drives[joint] = with_effect(stated.drives[joint], best.effect);
       ValueFit fit = fitted(stated, best.model, values);
-      if (fit.values.empty()) return;
+      if (fit.values.empty() || !leaves_less_held_out(fit.model, best)) return;
       search.found.push_back(found(best, trials, fit));
       values_ = std::move(values);
       stated_ = std::move(stated);
@@ -371,11 +371,15 @@ class LimbSearch {
   /// torques named has to take half of the joint's error there: engines, steps and encoders differ
   /// from the real by what looks like some law.
   bool follows_better(const Trial& trial) const {
-    if (!(gained(trial) > kFound)) return false;
+    return gained(trial) > kFound && leaves_less_held_out(trial.model, trial);
+  }
+
+  /// Not where the simulation without it grows without bound there: that compares nothing.
+  bool leaves_less_held_out(const RobotModel& model, const Trial& trial) const {
     if (held_out_.empty()) return true;
     const double before_rad = held_out_rad(fit_.model, trial.joint);
-    const double after_rad = held_out_rad(trial.model, trial.joint);
-    return after_rad < (is_named(trial) ? 1.0 : kTaken) * before_rad;
+    const double most_rad = (is_named(trial) ? 1.0 : kTaken) * before_rad;
+    return std::isfinite(before_rad) && held_out_rad(model, trial.joint) < most_rad;
   }
 
   /// Of those that follow as well as the best, the one with the fewest numbers.
