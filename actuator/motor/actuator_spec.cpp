@@ -181,6 +181,7 @@ class ActuatorReader {
     battery.series_cells = keys["series_cells"];
     battery.parallel_cells = keys["parallel_cells"];
     battery.cell_resistance_ohm = keys["cell_resistance_ohm"];
+    if (keys.contains("cell_capacity_Ah")) battery.cell_capacity_Ah = keys["cell_capacity_Ah"];
     battery.wiring_resistance_ohm = keys.value("wiring_resistance_ohm", 0.0);
     battery.discharge_limit_A = keys.value("discharge_limit_A", kUnlimited);
     battery.charge_limit_A = keys.value("charge_limit_A", kUnlimited);

@@ -15,6 +15,7 @@
 #include "hopper/check/physical.hpp"
 #include "hopper/check/rules/every_rule.hpp"
 #include "hopper/check/time_gap.hpp"
+#include "hopper/demand/battery_charge.hpp"
 #include "hopper/demand/battery_draw.hpp"
 #include "hopper/demand/contact_search.hpp"
 #include "hopper/motion/rate_agreement.hpp"
@@ -260,6 +261,7 @@ HopperReport check_as_read(const Robot& robot, const CheckOptions& options, RowR
     append(doubt_findings(checked, report.peak_doubts, report.check.drives), findings);
   }
   append(shared_bus_findings(checked, report.buses), findings);
+  append(battery_charge_findings(checked, torques.torque_Nm), findings);
   append(battery_draw(checked), findings);
   append(transmission_findings(report.transmission_loads), findings);
   for (const Rule rule : kEveryRule) append(rule(checked), findings);

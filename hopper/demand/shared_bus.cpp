@@ -13,7 +13,6 @@
 #include "actuator/region/torque_at.hpp"
 #include "io/text/time_text.hpp"
 #include "io/text/wording.hpp"
-#include "robot/model/drive_supply.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -112,20 +111,29 @@ std::string names_of(const CheckedMotion& checked, const SharedBus& bus) {
 
 }  // namespace
 
-std::vector<SharedBus> shared_buses(const CheckedMotion& checked,
-                                    const Eigen::MatrixXd& torques_Nm) {
+std::vector<BatteryPower> battery_powers(const CheckedMotion& checked,
+                                         const Eigen::MatrixXd& torques_Nm) {
   const auto drives = drives_of(checked.robot);
-  std::vector<SharedBus> buses;
+  std::vector<BatteryPower> batteries;
   for (DriveSupply& feeds : drive_supplies(drives, checked.options.conditions)) {
-    if (feeds.drives.size() < 2) continue;
     std::vector<Eigen::VectorXd> powers_W;
     for (const std::size_t drive : feeds.drives) {
       powers_W.push_back(power_of_W(checked, *drives[drive], drive, torques_Nm));
     }
     const Eigen::VectorXd power_W = drawn_W(feeds, powers_W);
+    batteries.push_back({std::move(feeds), power_W});
+  }
+  return batteries;
+}
+
+std::vector<SharedBus> shared_buses(const CheckedMotion& checked,
+                                    const Eigen::MatrixXd& torques_Nm) {
+  std::vector<SharedBus> buses;
+  for (BatteryPower& battery : battery_powers(checked, torques_Nm)) {
+    if (battery.feeds.drives.size() < 2) continue;
     SharedBus& bus = buses.emplace_back();
-    bus.drives = std::move(feeds.drives);
-    settle(checked, feeds.supply, power_W, bus);
+    bus.drives = std::move(battery.feeds.drives);
+    settle(checked, battery.feeds.supply, battery.power_W, bus);
   }
   return buses;
 }

@@ -2,8 +2,19 @@
 #pragma once
 
 #include "hopper/demand/checked_motion.hpp"
+#include "robot/model/drive_supply.hpp"
 
 namespace torquewright::hopper {
+
+/// A supply of a robot and the power that all of its drives ask of it, with what their lines lose.
+struct BatteryPower {
+  DriveSupply feeds;
+  Eigen::VectorXd power_W;  ///< By sample; negative: returned.
+};
+
+/// Of every supply. `torques_Nm` is by drive and sample, rotors included.
+std::vector<BatteryPower> battery_powers(const CheckedMotion& checked,
+                                         const Eigen::MatrixXd& torques_Nm);
 
 /// Drives that one battery feeds together.
 struct SharedBus {

@@ -9,6 +9,7 @@
 #include "actuator/effects/library.hpp"
 #include "hopper/check/physical.hpp"
 #include "hopper/demand/base_residual.hpp"
+#include "hopper/demand/battery_charge.hpp"
 #include "hopper/demand/contact_load.hpp"
 #include "hopper/demand/drive_reports.hpp"
 #include "hopper/demand/free_rows.hpp"
@@ -240,6 +241,41 @@ TEST(SharedBus, StandsAtHalfTheOpenCircuitWhereItGivesOut) {
   EXPECT_DOUBLE_EQ(bus.least_V, 25.0);
   const std::vector<Finding> findings = shared_bus_findings(driven.checked(), {bus});
   EXPECT_FALSE(findings[0].limit);  // the battery states none
+}
+
+// Oracle: a straight count. Without resistance 50 V give P/50 A, and 0.03 s of 500 W take 0.3 C of
+// two cells of 0.01 Ah side by side, 72 C.
+TEST(BatteryCharge, LastsForAsManyRunsAsTheCellsHold) {
+  DrivenMotion driven = on_one_battery(4);
+  for (Drivetrain& drivetrain : driven.robot.drivetrains) {
+    actuator::Battery& battery = *drivetrain.actuators[0].battery;
+    battery.cell_open_circuit = {{0.0, 50.0}, {1.0, 50.0}};
+    battery.cell_resistance_ohm = 0.0;
+    battery.cell_capacity_Ah = 0.01;
+    battery.parallel_cells = 2.0;
+  }
+  const Eigen::MatrixXd torques_Nm = Eigen::MatrixXd::Constant(2, 4, 50.0);  // 50 W in each winding
+  for (std::size_t sample = 0; sample < 4; ++sample) {
+    driven.demand.drives[0][sample].speed_rad_s = driven.demand.drives[1][sample].speed_rad_s = 4.0;
+  }
+  const double run_Ah = 0.03 * 2.0 * power_W(50.0, 4.0) / 50.0 / 3600.0;
+  driven.options.runs = 239;  // of 0.3 C
+  std::vector<Finding> findings = battery_charge_findings(driven.checked(), torques_Nm);
+  ASSERT_EQ(findings.size(), 1u);
+  EXPECT_EQ(findings[0].severity, actuator::Severity::kNote);
+  EXPECT_NEAR(*findings[0].value, 239.0 * run_Ah, 1e-12);
+  EXPECT_NEAR(*findings[0].limit, 0.02, 1e-15);
+  driven.options.runs = 241;
+  findings = battery_charge_findings(driven.checked(), torques_Nm);
+  EXPECT_EQ(findings[0].severity, actuator::Severity::kViolation);
+  driven.options.runs = 1;
+  driven.options.conditions.state_of_charge = 0.5;
+  EXPECT_NEAR(*battery_charge_findings(driven.checked(), torques_Nm)[0].limit, 0.01, 1e-15);
+  EXPECT_TRUE(battery_charge_findings(driven.checked(), -torques_Nm).empty());  // it is charged
+  for (Drivetrain& drivetrain : driven.robot.drivetrains) {
+    drivetrain.actuators[0].battery->cell_capacity_Ah.reset();
+  }
+  EXPECT_TRUE(battery_charge_findings(driven.checked(), torques_Nm).empty());
 }
 
 /// Two drives over four samples: 4 Nm of their rotors' own beside 10 and -20 Nm of the load.

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "hopper/demand/checked_motion.hpp"
+
+namespace torquewright::hopper {
+
+/// Returns a finding on each battery whose cells state a capacity: what share of it a run of the
+/// motion takes and for how many runs it lasts, a violation where that is fewer than are asked for.
+/// Its charge is what the conditions say, else full; a pause draws nothing. `torques_Nm` is by
+/// drive and sample, rotors included. docs/derivations/whole_body_check.md eq. (13a).
+std::vector<Finding> battery_charge_findings(const CheckedMotion& checked,
+                                             const Eigen::MatrixXd& torques_Nm);
+
+}  // namespace torquewright::hopper
