@@ -136,11 +136,19 @@ std::vector<Finding> unit_findings(std::span<const MappingText> stated) {
   return findings;
 }
 
-std::vector<Finding> units_row_findings(const io::CsvReader& csv) {
-  if (csv.units().empty()) return {};
-  return {note("column-unit",
-               "the line under the header is read as a row of units; it counts where "
-               "a column's name says none")};
+std::vector<Finding> table_findings(const io::CsvReader& csv) {
+  std::vector<Finding> findings;
+  if (csv.skipped_lines() > 0) {
+    findings.push_back(note("columns-unread",
+                            fmt::format("not read: what stands in the file before line {}, which "
+                                        "names the columns",
+                                        csv.skipped_lines() + 1)));
+  }
+  if (csv.units().empty()) return findings;
+  findings.push_back(note("column-unit",
+                          "the line under the header is read as a row of units; it counts where a "
+                          "column's name says none"));
+  return findings;
 }
 
 std::vector<Finding> column_findings(const CheckRequest& request) {
@@ -149,7 +157,7 @@ std::vector<Finding> column_findings(const CheckRequest& request) {
   if (!std::filesystem::is_regular_file(request.trajectory, unknown)) return findings;
   const io::CsvReader csv(request.trajectory, io::CsvReader::CutEnd::kRefused,
                           io::CsvReader::UnitsRow::kTaken);
-  for (Finding& finding : units_row_findings(csv)) findings.push_back(std::move(finding));
+  for (Finding& finding : table_findings(csv)) findings.push_back(std::move(finding));
   const DriveRows rows(request.drives, request.parallels, request.trajectory.string());
   for (Finding& finding :
        unread_findings(HeaderReading(csv.header(), request, rows.joints()).unread())) {

@@ -23,8 +23,9 @@ std::vector<Finding> unread_findings(std::vector<UnreadColumn> unread);
 /// Returns a note for each column that is read in another unit than its own name ends in.
 std::vector<Finding> unit_findings(std::span<const MappingText> stated);
 
-/// Returns a note where a row of units stands under the header.
-std::vector<Finding> units_row_findings(const io::CsvReader& csv);
+/// Returns a note where lines before the names are left out, and where a row of units stands under
+/// them.
+std::vector<Finding> table_findings(const io::CsvReader& csv);
 
 /// Returns all kinds of notes for a check of actuators. Columns of joints that are not checked
 /// count as read where the file has their motion. None where the trajectory comes through a pipe,

@@ -11,6 +11,7 @@
 
 #include "actuator/motor/statement_spec.hpp"
 #include "io/files/csv.hpp"
+#include "io/files/quantity_column.hpp"
 
 namespace torquewright::actuator {
 namespace {
@@ -279,18 +280,13 @@ class EnvelopeReader {
   std::optional<Rows> rows_of_file(const char* key, const std::string& name) {
     const std::filesystem::path file = std::filesystem::path(document_.file).parent_path() / name;
     try {
-      io::CsvReader csv(file);
-      const auto speed = csv.find("speed_rad_s");
-      const auto torque = csv.find("torque_Nm");
-      if (!speed || !torque) {
-        report(std::string("/") + key,
-               fmt::format("{} has no column {}; it needs speed_rad_s and torque_Nm", name,
-                           speed ? "torque_Nm" : "speed_rad_s"));
-        return std::nullopt;
-      }
+      io::CsvReader csv(file, io::CsvReader::CutEnd::kRefused, io::CsvReader::UnitsRow::kTaken);
+      const auto speed = io::quantity_column(csv, "speed", io::Dimension::kAngularVelocity);
+      const auto torque = io::quantity_column(csv, "torque", io::Dimension::kTorque);
       Rows rows;
       while (csv.next()) {
-        rows.points.push_back({csv.number(*speed), csv.number(*torque)});
+        rows.points.push_back(
+            {csv.number(speed.column) * speed.in_SI, csv.number(torque.column) * torque.in_SI});
         rows.places.push_back(fmt::format("/{} (line {} of {})", key, csv.line(), name));
       }
       documents_.push_back({csv.file(), "", {}, csv.sha256()});

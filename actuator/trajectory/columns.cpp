@@ -83,6 +83,20 @@ std::optional<Quantity> find_quantity(std::string_view name) {
   return std::nullopt;
 }
 
+io::Dimension dimension_of(Quantity quantity) {
+  switch (quantity) {
+    case Quantity::kTime:
+      return io::Dimension::kTime;
+    case Quantity::kPosition:
+      return io::Dimension::kAngle;
+    case Quantity::kVelocity:
+      return io::Dimension::kAngularVelocity;
+    case Quantity::kTorque:
+      break;
+  }
+  return io::Dimension::kTorque;
+}
+
 void refuse_mapping(const std::string& text, const std::string& why) {
   throw io::SpecError({{"--column", "",
                         fmt::format("\"{}\": {}; the form is "

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "io/text/units.hpp"
+
 namespace torquewright::actuator {
 
 /// The greatest angle, speed, torque or force of a motion that is read, in SI units: squares and
@@ -16,6 +18,7 @@ inline constexpr double kGreatestValue = 1e9;
 enum class Quantity { kTime, kPosition, kVelocity, kTorque };
 std::string_view name_of(Quantity quantity);
 std::optional<Quantity> find_quantity(std::string_view name);
+io::Dimension dimension_of(Quantity quantity);
 
 /// The quantity and joint of a column (no joint for the time), and the factor that turns its
 /// numbers into s, rad, rad/s or Nm.

@@ -5,7 +5,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "actuator/trajectory/units_row.hpp"
 #include "io/documents/document.hpp"
 #include "io/text/units.hpp"
 #include "io/text/wording.hpp"

@@ -8,8 +8,8 @@
 
 #include "actuator/trajectory/meant_columns.hpp"
 #include "actuator/trajectory/one_time.hpp"
-#include "actuator/trajectory/units_row.hpp"
 #include "io/faults/refusal.hpp"
+#include "io/files/units_row.hpp"
 #include "io/text/nearest.hpp"
 #include "io/text/wording.hpp"
 
@@ -162,8 +162,8 @@ void TrajectoryReader::assign(const std::vector<ColumnMapping>& mappings,
                               const std::vector<std::string>& joints) {
   for (const ColumnMapping& mapping : mappings) {
     const std::size_t column = *csv_.find(mapping.column);
-    const double factor = with_units_row(csv_, column, dimension_of(mapping.quantity),
-                                         mapping.factor, mapping.has_unit);
+    const double factor = io::with_units_row(csv_, column, dimension_of(mapping.quantity),
+                                             mapping.factor, mapping.has_unit);
     const JointColumns::Source source{column, factor};
     if (mapping.quantity == Quantity::kTime) time_ = source;
     for (std::size_t i = 0; i < joints.size(); ++i) {

@@ -67,7 +67,7 @@ std::vector<actuator::Finding> column_findings(const Robot& robot, const MotionF
   if (!std::filesystem::is_regular_file(source.file, unknown)) return findings;
   const io::CsvReader csv(source.file, io::CsvReader::CutEnd::kRefused,
                           io::CsvReader::UnitsRow::kTaken);
-  for (actuator::Finding& finding : actuator::units_row_findings(csv)) {
+  for (actuator::Finding& finding : actuator::table_findings(csv)) {
     findings.push_back(std::move(finding));
   }
   const std::vector<Channel> channels = channels_of(robot);

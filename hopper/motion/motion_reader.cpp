@@ -10,11 +10,11 @@
 #include "actuator/trajectory/angle_unwrap.hpp"
 #include "actuator/trajectory/columns.hpp"
 #include "actuator/trajectory/one_time.hpp"
-#include "actuator/trajectory/units_row.hpp"
 #include "hopper/motion/ground_line.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "hopper/motion/stated_columns.hpp"
 #include "io/faults/refusal.hpp"
+#include "io/files/units_row.hpp"
 #include "io/text/nearest.hpp"
 #include "io/text/wording.hpp"
 
@@ -93,8 +93,8 @@ class MotionReader {
                  fmt::format("\"{}\" and \"{}\" are both mapped to {}", csv_.header()[other.column],
                              mapping.column, channels_[mapping.channel].header));
     }
-    const double factor = actuator::with_units_row(
-        csv_, *column, channels_[mapping.channel].dimension, mapping.factor, mapping.factor != 1.0);
+    const double factor = io::with_units_row(csv_, *column, channels_[mapping.channel].dimension,
+                                             mapping.factor, mapping.factor != 1.0);
     sources_.push_back({*column, mapping.channel, factor});
   }
 
@@ -113,8 +113,7 @@ class MotionReader {
       if (header == "t" || header == "time") header = "time_s";
       for (std::size_t i = 0; i < channels_.size(); ++i) {
         if (channels_[i].header != header || source_of(i) || is_taken(column)) continue;
-        const double factor =
-            actuator::with_units_row(csv_, column, channels_[i].dimension, 1.0, false);
+        const double factor = io::with_units_row(csv_, column, channels_[i].dimension, 1.0, false);
         sources_.push_back({column, i, factor});
       }
     }

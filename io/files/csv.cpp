@@ -4,14 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <set>
-#include <system_error>
 
 #include "io/faults/spec_error.hpp"
 #include "io/files/table_begin.hpp"
+#include "io/text/cell_number.hpp"
 #include "io/text/iso_time.hpp"
 #include "io/text/one_line.hpp"
 #include "io/text/units.hpp"
@@ -28,55 +26,6 @@ std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
   while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
   return text;
-}
-
-/// Whether a decimal number other than 0 is less than 1 in magnitude: the place of its first digit
-/// that counts, and its exponent. A mantissa of 500 zeros is a power of ten as well as "e500" is.
-bool is_below_one(std::string_view text) {
-  const std::size_t mark = std::min(text.find_first_of("eE"), text.size());
-  const std::string_view mantissa = text.substr(0, mark);
-  const auto first = static_cast<std::int64_t>(mantissa.find_first_of("123456789"));
-  const auto point = static_cast<std::int64_t>(std::min(mantissa.find('.'), mantissa.size()));
-  std::int64_t exponent = 0;
-  if (mark != text.size()) {
-    std::string_view digits = text.substr(mark + 1);
-    if (digits.starts_with('+')) digits.remove_prefix(1);
-    const auto parsed = std::from_chars(digits.data(), digits.data() + digits.size(), exponent);
-    if (parsed.ec != std::errc()) return digits.starts_with('-');  // beyond all digits of a line
-  }
-  return exponent < (first < point ? first - point + 1 : first - point);
-}
-
-std::optional<double> number_of(std::string_view text);
-
-/// 1.5D-3, as Fortran writes exponents, where a number ended before that letter.
-std::optional<double> of_fortran(std::string_view text, const char* letter) {
-  const auto at = static_cast<std::size_t>(letter - text.data());
-  if (at == 0 || at >= text.size() || (text[at] != 'D' && text[at] != 'd')) return std::nullopt;
-  std::string usual(text);
-  usual[at] = 'e';
-  return number_of(usual);
-}
-
-/// The whole text as a double, infinities and NaN included; a number too small for one is 0.
-std::optional<double> number_of(std::string_view text) {
-  if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  double value = 0.0;
-  const char* end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (rest != end || text.empty()) return of_fortran(text, rest);
-  if (error == std::errc::result_out_of_range) return is_below_one(text) ? 0.0 : HUGE_VAL;
-  if (error != std::errc()) return std::nullopt;
-  return value;
-}
-
-/// 1,5 or -0,25e3 with a point in the place of the one comma; empty if that is no number.
-std::string with_point(std::string_view text) {
-  const std::size_t comma = text.find(',');
-  if (comma == text.npos) return "";
-  std::string pointed(text);
-  pointed[comma] = '.';
-  return number_of(pointed) ? pointed : "";
 }
 
 /// How often a character stands in a line outside of quotes.
@@ -217,18 +166,22 @@ std::string in_quotes(std::string_view text) {
 
 CsvReader::CsvReader(const std::filesystem::path& file, CutEnd cut_end, UnitsRow units_row)
     : lines_(file), cut_end_(cut_end) {
+  skipped_lines_ = lines_before_table(lines_.file());
   std::string_view line;
   do {
     if (!lines_.next(line)) {
       throw SpecError({{lines_.file(), "", "is empty; the first line must name the columns"}});
     }
     if (line.starts_with('#') && comments_.size() < kMostComments) comments_.emplace_back(line);
-  } while (line.starts_with('#') || trimmed(line).empty() || separator_stated_by(line) != 0);
+  } while (lines_.line_number() <= skipped_lines_ || line.starts_with('#') ||
+           trimmed(line).empty() || separator_stated_by(line) != 0);
   line_ = lines_.line_number();
-  check_encoding(line);
+  check_line_ends(line);
   std::string header = names_in_comment(comments_, line);
   if (!header.empty()) read_ahead_.emplace(line);
   if (header.empty()) header = line;
+  is_latin1_ = first_that_is_no_utf8(header) != std::string_view::npos;
+  if (is_latin1_) header = utf8_of_latin1(header);
   std::string_view behind;  // By it blanks are known to separate.
   if (!read_ahead_ && next_behind_comments(lines_, behind)) read_ahead_.emplace(behind);
   find_separator(header);
@@ -266,7 +219,9 @@ void CsvReader::take_units(UnitsRow units_row) {
   for (const std::string_view cell : cells_) {
     if (number_of(cell)) return;
     const std::string_view unit = without_brackets(cell);
-    units.emplace_back(unit == "-" || unit == "--" || unit == "n/a" ? "" : unit);
+    const bool is_utf8 = first_that_is_no_utf8(unit) == std::string_view::npos;
+    const bool is_none = unit == "-" || unit == "--" || unit == "n/a";
+    units.push_back(is_none ? "" : is_utf8 ? std::string(unit) : utf8_of_latin1(unit));
     known += find_unit(units.back()).has_value();
   }
   if (cells_.size() != header_.size() || 2 * known < cells_.size()) return;
@@ -286,13 +241,23 @@ bool CsvReader::next_line(std::string_view& line) {
 }
 
 std::string CsvReader::dialect() const {
-  const std::string form = lines_.form();
-  if (separator_ == ',') return form;
-  return fmt::format("{}{}columns are separated by {}{}", form, form.empty() ? "" : "; ",
-                     separator_ == ';'   ? "semicolons"
-                     : separator_ == ' ' ? "blanks"
-                                         : "tabs",
-                     decimal_mark_ == ',' ? ", decimals are commas" : "");
+  std::vector<std::string> parts;
+  if (!lines_.form().empty()) parts.push_back(lines_.form());
+  if (skipped_lines_ > 0) {
+    parts.push_back(
+        fmt::format("the names stand in line {}, what a recorder wrote before is "
+                    "left out",
+                    skipped_lines_ + 1));
+  }
+  if (is_latin1_) parts.emplace_back("its names are read as Latin-1");
+  if (separator_ != ',') {
+    parts.push_back(fmt::format("columns are separated by {}{}",
+                                separator_ == ';'   ? "semicolons"
+                                : separator_ == ' ' ? "blanks"
+                                                    : "tabs",
+                                decimal_mark_ == ',' ? ", decimals are commas" : ""));
+  }
+  return fmt::format("{}", fmt::join(parts, "; "));
 }
 
 CsvReader::CsvReader(const std::filesystem::path& file, std::vector<std::string> names)
@@ -305,7 +270,7 @@ std::optional<std::size_t> CsvReader::find(std::string_view name) const {
 }
 
 /// What spreadsheets write that is no table of numbers yet, and what to do about it.
-void CsvReader::check_encoding(std::string_view first_line) const {
+void CsvReader::check_line_ends(std::string_view first_line) const {
   if (first_line.find('\r') != std::string_view::npos) {
     refuse_row("its lines end with carriage returns alone; convert it: tr '\\r' '\\n'");
   }
@@ -314,9 +279,6 @@ void CsvReader::check_encoding(std::string_view first_line) const {
         fmt::format("{} is a spreadsheet's line about separators; columns may be separated by "
                     "commas, semicolons or tabs",
                     in_quotes(trimmed(first_line))));
-  }
-  if (first_that_is_no_utf8(first_line) != std::string_view::npos) {
-    refuse_row("the header is no UTF-8; convert it: iconv -f latin1 -t utf-8");
   }
 }
 
@@ -492,6 +454,9 @@ void CsvReader::split(std::string_view line) {
     if (end == line.size()) break;
     place = end + 1;
   }
+  // LabVIEW's last column has cells where somebody wrote a comment.
+  const bool has_no_comment = cells_.size() + 1 == header_.size() && header_.back() == "Comment";
+  if (has_no_comment) cells_.emplace_back();
   // A separator at the end of each row begins no cell.
   const bool is_ended = cells_.size() == header_.size() + 1 && cells_.back().empty();
   if (is_ended && !header_.empty()) cells_.pop_back();

@@ -18,7 +18,8 @@ namespace torquewright::io {
 /// many numbers; they may stand in double quotes. Without commas between them, decimals may have
 /// commas; then all have. Lines that start with #, and empty lines at the end, are skipped; where
 /// numbers begin behind one, it has the names. A separator at each line's end begins no column.
-/// Faults are SpecErrors.
+/// What a recorder wrote before the names is skipped (table_begin.hpp); names that are no UTF-8 are
+/// Latin-1. Faults are SpecErrors.
 class CsvReader {
  public:
   /// What a last line is that ends within the row, as that of a recorder that was stopped.
@@ -43,6 +44,8 @@ class CsvReader {
   /// The units that stand under the header, by column; empty where no such row stands there, or it
   /// names none.
   const std::vector<std::string>& units() const { return units_; }
+  /// How many lines before the names are not read (table_begin.hpp).
+  std::size_t skipped_lines() const { return skipped_lines_; }
   /// How the table differs from a text of commas and points, in a sentence; empty if it does not.
   std::string dialect() const;
 
@@ -85,7 +88,7 @@ class CsvReader {
   bool next_line(std::string_view& line);
   void split(std::string_view line);
   void add_cell(std::string_view cell);
-  void check_encoding(std::string_view first_line) const;
+  void check_line_ends(std::string_view first_line) const;
   void check_header() const;
   void check_row() const;
   std::string place() const;
@@ -102,6 +105,8 @@ class CsvReader {
   std::optional<std::string> read_ahead_;  ///< The line behind the header, where it is a row.
   std::string present_;                    ///< That line, once it is the present row.
   std::size_t line_ = 0, cut_line_ = 0;
+  std::size_t skipped_lines_ = 0;  ///< Before the names.
+  bool is_latin1_ = false;
   std::vector<std::string> unquoted_;  ///< What cells with quotes or decimal commas refer to.
 };
 

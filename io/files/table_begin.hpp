@@ -12,8 +12,13 @@ struct TableBegin {
   std::string names;     ///< That line, cut off where it is long.
 };
 
-/// Looks at the first lines for one of names before two of numbers, all of as many cells; empty:
-/// the first line is it, or none is.
+/// Looks at the first lines for one of names before two of numbers, all of as many cells, between
+/// which one of units may stand; empty: the first line is it, or none is. LabVIEW's last column,
+/// Comment, may have no cells.
 std::optional<TableBegin> find_table_begin(const std::string& file);
+
+/// How many lines a recorder wrote before the line of names: lines of other lengths than that one,
+/// none of them numbers alone. 0: the first line has the names, or where it stands is not sure.
+std::size_t lines_before_table(const std::string& file);
 
 }  // namespace torquewright::io

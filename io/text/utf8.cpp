@@ -47,4 +47,18 @@ std::size_t first_that_is_no_utf8(std::string_view text) {
   return std::string_view::npos;
 }
 
+std::string utf8_of_latin1(std::string_view text) {
+  std::string result;
+  for (const char letter : text) {
+    const auto point = static_cast<unsigned char>(letter);
+    if (point < 0x80) {
+      result += letter;
+    } else {
+      result += static_cast<char>(0xC0U | point >> 6U);
+      result += static_cast<char>(0x80U | (point & 0x3FU));
+    }
+  }
+  return result;
+}
+
 }  // namespace torquewright::io

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace torquewright::io {
@@ -20,5 +21,8 @@ Utf8Part first_utf8_part(std::string_view text);
 
 /// Where the first part begins that is no character; npos where all of it is UTF-8.
 std::size_t first_that_is_no_utf8(std::string_view text);
+
+/// Text of ISO 8859-1, whose bytes are the first 256 code points, in UTF-8.
+std::string utf8_of_latin1(std::string_view text);
 
 }  // namespace torquewright::io

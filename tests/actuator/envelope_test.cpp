@@ -8,10 +8,14 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <string>
 
 #include "actuator/mor/mor_table.hpp"
 #include "actuator/mor/need.hpp"
 #include "actuator/motor/actuator_spec.hpp"
+#include "tests/actuator/check/refusal.hpp"
+#include "tests/io/scratch_folder.hpp"
 
 namespace torquewright::actuator {
 namespace {
@@ -157,6 +161,39 @@ TEST(Envelope, LastsAsItsDocumentSays) {
   EXPECT_NEAR(at(drive, 9.0, lasting).greatest.torque_Nm, 2.0, kRoundOff_Nm);
   const Actuator silent = actuator_of(R"({"peak_torque_Nm": 20, "no_load_speed_rad_s": 10})");
   EXPECT_EQ(objections(silent, lasting).size(), 1u);
+}
+
+// Oracle: the same rows in the document, in SI units. 60 rpm are 2 pi rad/s.
+TEST(Envelope, OfAFileTakesItsUnits) {
+  const test::ScratchFolder folder;
+  const auto read = [&](const std::string& table) {
+    folder.write("curve.csv", table);
+    const json document = document_of(R"({"points": "curve.csv"})");
+    const std::string file = (folder.path() / "drive.json").string();
+    return read_actuator(io::check_document(document, "actuator", file, "")).actuator;
+  };
+  const auto at_one_turn_a_second = [](const Actuator& drive) {
+    return at(drive, 2.0 * std::numbers::pi).greatest.torque_Nm;
+  };
+  const std::string rows = "0;12\n60;8\n120;0\n";
+  for (const std::string header :
+       {"speed_rpm;torque_Nm\n", "Speed [rpm];Torque [Nm]\n", "Speed;torque\nrpm;Nm\n",
+        "Curve of motor 3\n\nspeed;torque\n(rpm);(Nm)\n"}) {
+    EXPECT_NEAR(at_one_turn_a_second(read(header + rows)), 8.0, kRoundOff_Nm) << header;
+  }
+  EXPECT_NEAR(at_one_turn_a_second(read("speed_rad_s,torque_mNm\n0,9000\n20,9000\n")), 9.0,
+              kRoundOff_Nm);
+  const auto refused = [&](const std::string& table) {
+    return test::refusal([&] { read(table); }, folder.path());
+  };
+  EXPECT_EQ(
+      refused("speed,torque_Nm\n0,1\n1,0\n"),
+      "curve.csv: the column \"speed\" states no unit; it must be one of rad/s, deg/s, rev/s or "
+      "rpm");
+  EXPECT_EQ(refused("rate_rad_s,torque_Nm\n0,1\n1,0\n"),
+            "curve.csv: has no column speed; \"speed [rad/s]\" would be one");
+  EXPECT_EQ(refused("speed_rad_s,speed_rpm,torque_Nm\n0,0,1\n1,9,0\n"),
+            "curve.csv: speed_rad_s and speed_rpm are all called speed; one column must be");
 }
 
 TEST(Envelope, RefusesWhatIsNoCurve) {

@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadMotion{
             kHeader + "s,rpm,Nm\n0,1,1\n",
             "the name \"knee_velocity_rad_s\" says rad/s, the row of units below it says rpm; "
-            "state which it is by --column, or delete the row"},
+            "correct one or delete the row"},
         BadMotion{kHeader + "s,rad/s,A\n0,1,1\n",
                   "the row of units says A at \"knee_torque_Nm\", whose unit must be Nm, mNm, kNm, "
                   "Ncm, kgf_cm, ozf_in, lbf_in or lbf_ft"},

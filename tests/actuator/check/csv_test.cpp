@@ -193,10 +193,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(Csv, SaysWhatAFileIsThatIsNoTable) {
   const test::ScratchFolder folder;
   const std::pair<const char*, const char*> cases[] = {
-      {"Bench 3\nDate,2026/05/04\n\na,b\n1,2\n3,4\n",
-       "line 2: has 2 cells, the header has 1; the table seems to begin with line 4 (a,b), and "
-       "what "
-       "stands before is none: tail -n +4 "},
+      {"Bench 3\n1,2\na,b\n1,2\n3,4\n",
+       "line 2: has 2 cells, the header has 1; the table seems to begin with line 3 (a,b), and "
+       "what stands before is none: tail -n +3 "},
       {"{\"a\": [1]}\n", "is no CSV but JSON: "},
       {"{\"a\": 1}\n{\"a\": 2}\n", "is no CSV but JSON, a line for each row: "},
       {"<!DOCTYPE html><html>\n", "is no CSV but a web page or XML"}};
@@ -232,6 +231,44 @@ TEST(Csv, SaysItsDialectAndItsUnits) {
   EXPECT_EQ(table.line(), 3u);
   EXPECT_EQ(table.number(0), 0.5);
   EXPECT_EQ(table.dialect(), "columns are separated by semicolons, decimals are commas");
+}
+
+// Oracle: the table as it stands behind the recorder's lines. The second is laid out as National
+// Instruments specify .lvm, where no cell stands under Comment.
+TEST(Csv, SkipsWhatARecorderWroteBeforeTheNames) {
+  const test::ScratchFolder folder;
+  const std::string labview =
+      "LabVIEW Measurement\nSeparator\tTab\n***End_of_Header***\n\nChannels\t2\t\t\n"
+      "Samples\t2\t2\t\n***End_of_Header***\nX_Value\ta\tb\tComment\n0,5\t1\t2\n1,5\t3\t4\tjolt\n";
+  io::CsvReader table(folder.write("t.lvm", labview));
+  EXPECT_EQ(table.header(), (std::vector<std::string>{"X_Value", "a", "b", "Comment"}));
+  EXPECT_EQ(table.skipped_lines(), 7u);
+  ASSERT_TRUE(table.next());
+  EXPECT_EQ(table.number(0), 0.5);
+  EXPECT_EQ(table.text(3), "");
+  ASSERT_TRUE(table.next());
+  EXPECT_EQ(table.number(2), 4.0);
+  EXPECT_EQ(table.text(3), "jolt");
+  EXPECT_EQ(table.line(), 10u);
+  EXPECT_FALSE(table.next());
+  const std::string bench = "Bench 3\nDate,2026/05/04,\n# side: joint\n\na,b\nrad,Nm\n1,2\n3,4\n";
+  io::CsvReader of_bench(folder.write("t.csv", bench), io::CsvReader::CutEnd::kRefused,
+                         io::CsvReader::UnitsRow::kTaken);
+  EXPECT_EQ(of_bench.comments(), std::vector<std::string>{"# side: joint"});
+  EXPECT_EQ(of_bench.units(), (std::vector<std::string>{"rad", "Nm"}));
+  ASSERT_TRUE(of_bench.next());
+  EXPECT_EQ(of_bench.number(1), 2.0);
+  EXPECT_EQ(CsvReader(folder.write("u.csv", "# x\n\na,b\n1,2\n3,4\n")).skipped_lines(), 0u);
+}
+
+// Oracle: ISO 8859-1 has the degree at 0xB0, UTF-8 at 0xC2 0xB0.
+TEST(Csv, ReadsNamesInLatin1) {
+  const test::ScratchFolder folder;
+  io::CsvReader table(folder.write("t.csv", "t;q [\xB0]\ns;\xB0\n0;1\n"),
+                      io::CsvReader::CutEnd::kRefused, io::CsvReader::UnitsRow::kTaken);
+  EXPECT_EQ(table.header().back(), "q [\xC2\xB0]");
+  EXPECT_EQ(table.units().back(), "\xC2\xB0");
+  EXPECT_EQ(table.dialect(), "its names are read as Latin-1; columns are separated by semicolons");
 }
 
 // Oracle: the calendar. 2026-11-28 is day 20785 since 1970, by 56 years of 365 days, 14 leap days

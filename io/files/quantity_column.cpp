@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "io/files/quantity_column.hpp"
+
+#include <fmt/format.h>
+
+#include <cctype>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/faults/refusal.hpp"
+#include "io/files/units_row.hpp"
+#include "io/text/letter_case.hpp"
+#include "io/text/unit_in_name.hpp"
+#include "io/text/wording.hpp"
+
+namespace torquewright::io {
+namespace {
+
+/// Whether a header is that name, alone or before its unit.
+bool is_named(const std::string& header, std::string_view name) {
+  const std::string small = in_small_letters(header);
+  if (!small.starts_with(name)) return false;
+  return small.size() == name.size() ||
+         std::isalnum(static_cast<unsigned char>(small[name.size()])) == 0;
+}
+
+}  // namespace
+
+QuantityColumn quantity_column(const CsvReader& csv, std::string_view name, Dimension dimension) {
+  std::vector<std::size_t> found;
+  std::vector<std::string> names;
+  for (std::size_t column = 0; column < csv.header().size(); ++column) {
+    if (!is_named(csv.header()[column], name)) continue;
+    found.push_back(column);
+    names.push_back(csv.header()[column]);
+  }
+  if (found.size() > 1) {
+    refuse(csv.file(),
+           fmt::format("{} are all called {}; one column must be", listed(names), name));
+  }
+  const std::vector<std::string> units = unit_names(dimension);
+  if (found.empty()) {
+    refuse(csv.file(),
+           fmt::format("has no column {0}; \"{0} [{1}]\" would be one", name, units.front()));
+  }
+  const std::optional<Unit> in_name = unit_in_name(names.front(), dimension);
+  const bool has_row = !csv.units().empty() && !csv.units()[found.front()].empty();
+  if (!in_name && !has_row) {
+    refuse(csv.file(), fmt::format("the column \"{}\" states no unit; it must be one of {}",
+                                   names.front(), either(units)));
+  }
+  const double factor = in_name ? in_name->in_SI : 1.0;
+  return {found.front(), with_units_row(csv, found.front(), dimension, factor, false)};
+}
+
+}  // namespace torquewright::io
