@@ -36,7 +36,7 @@ TEST(Strength, FailsWhereASafetyIsBelowTheDemandedOne) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(outcome.out.find("\n17 Nm at the motor, 136 Nm at the joint: borne\n"),
             std::string::npos);
-  EXPECT_NE(outcome.out.find("\n60 Nm at the motor, 480 Nm at the joint: BELOW"),
+  EXPECT_NE(outcome.out.find("\n60 Nm at the motor, 480 Nm at the joint: below"),
             std::string::npos);
 }
 

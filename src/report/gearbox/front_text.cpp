@@ -86,7 +86,7 @@ std::string front_text(const Problem& problem, const gearbox::ShownFront& shown)
   const Front& front = shown.front;
   if (front.points.empty()) {
     return front.is_whole ? "infeasible: no design satisfies all constraints.\n"
-                          : "limit: ended before a point was found.\n";
+                          : "limit: the search ended before it found a point.\n";
   }
   const std::string_view first = objective_name(shown.first), second = objective_name(shown.second);
   std::string text = fmt::format(
