@@ -169,7 +169,8 @@ const PositionUnit& unit_asked_for(const ImportRequest& request) {
   if (unit != nullptr) return *unit;
   io::refuse("--units",
              fmt::format("{}; a CSV does not hold what positions are in: {}",
-                         request.units.empty() ? "is needed" : "\"" + request.units + "\" is none",
+                         request.units.empty() ? "is needed"
+                                               : "\"" + request.units + "\" is not a known unit",
                          position_unit_names()));
 }
 

@@ -70,7 +70,8 @@ std::size_t drivetrain_of(const std::string& drive, const hopper::ReadRobot& rea
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   if (names.empty()) io::refuse("--drive", "the robot has no drives");
-  io::refuse("--drive", fmt::format("\"{}\" is none; there are {}", drive, fmt::join(names, ", ")));
+  io::refuse("--drive", fmt::format("\"{}\" is not a drive of the robot; there are {}", drive,
+                                    fmt::join(names, ", ")));
 }
 
 hopper::MotorShelf shelf_of(const DesignRequest& request, const hopper::ReadRobot& robot,

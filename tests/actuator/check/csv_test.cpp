@@ -194,9 +194,8 @@ TEST(Csv, SaysWhatAFileIsThatIsNoTable) {
   const test::ScratchFolder folder;
   const std::pair<const char*, const char*> cases[] = {
       {"Bench 3\nDate,2026/05/04\n\na,b\n1,2\n3,4\n",
-       "line 2: has 2 cells, the header has 1; the table seems to begin with line 4 (a,b), and "
-       "what "
-       "stands before is none: tail -n +4 "},
+       "line 2: has 2 cells, the header has 1; the table seems to begin with line 4 (a,b), and the "
+       "lines before are not part of it: tail -n +4 "},
       {"{\"a\": [1]}\n", "is no CSV but JSON: "},
       {"{\"a\": 1}\n{\"a\": 2}\n", "is no CSV but JSON, a line for each row: "},
       {"<!DOCTYPE html><html>\n", "is no CSV but a web page or XML"}};
