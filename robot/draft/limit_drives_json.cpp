@@ -157,13 +157,13 @@ LimitDrives limit_drives(const Robot& robot,
   }
   note("state no limit of torque", without_torque, made);
   if (!without_speed.empty()) {
-    made.notes.push_back(
-        fmt::format("drives of joints that state no limit of speed have their torque at any: {}",
-                    fmt::join(without_speed, ", ")));
+    made.notes.push_back(fmt::format(
+        "drives of joints that state no limit of speed have their torque at any speed: {}",
+        fmt::join(without_speed, ", ")));
   }
   if (!slides.empty()) {
     made.notes.push_back(fmt::format(
-        "of drives that push ({}) the documents' torques are forces in N, their speeds m/s",
+        "the documents of drives that push ({}) state forces in N as torques, and speeds in m/s",
         fmt::join(slides, ", ")));
   }
   return made;

@@ -42,14 +42,14 @@ void add_notes_of_parts(const Robot& robot, const MjcfParts& parts,
   if (parts.actuators && !robot.drivetrains.empty()) {
     notes.emplace_back(
         parts.servos
-            ? "each drive loads the battery alone, and its heat is not held"
-            : "controls of drives are voltages in V; each loads the battery alone, and heat "
-              "and what else no line between torque and speed holds");
+            ? "drives share the battery and warm up: the file holds neither"
+            : "controls of drives are voltages in V; not held is that drives share the battery, "
+              "that they warm up, and what else no line between torque and speed holds");
     notes.emplace_back(
         parts.friction == actuator::FrictionPlace::kJoint
             ? "friction of drives is that of the joint or the tendon that they turn, "
-              "beside what joints have themselves: limits are of the torque that "
-              "the motor brings there"
+              "beside what joints have themselves; limits are those of the motor's torque there, "
+              "before friction"
             : "friction of drives is taken off their limits: a torque below them "
               "arrives whole");
   }

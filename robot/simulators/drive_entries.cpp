@@ -153,8 +153,7 @@ class Collector {
     for (const Drivetrain& drivetrain : robot_.drivetrains) add(drivetrain);
     note_armatures();
     notes_.emplace_back(
-        "each drive loads the battery alone, and heats alone: neither is held by a line between "
-        "torque and speed");
+        "drives share the battery and warm up: a line between torque and speed holds neither");
     std::vector<ActuatorNote> actuators;
     for (Fitted& actuator : fitted_) {
       actuators.push_back({std::move(actuator.file), std::move(actuator.note)});

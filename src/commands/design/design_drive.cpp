@@ -242,7 +242,7 @@ void add_design_options(command_line::Command& command, DesignRequest& request) 
       .otherwise("1, the best by the objective")
       .integer_between(1, 100);
   command.add_flag("--all-pairs", request.all_pairs,
-                   "Search gears for pairs too that no efficiency would save");
+                   "Search gears also for pairs that would fail with gears without losses");
   command.add_flag("--motion-load", request.takes_load_of_motion,
                    "Let the gears bear the greatest torque of the motion, not the problem's load");
   command.add_option("--time-limit", request.time_limit_s, "End the search after so many seconds")

@@ -325,7 +325,7 @@ void add_import_command(command_line::Command& robot) {
       .add_option("--actuators", options->drive_folder,
                   "Write an actuator for each joint's limits of torque and speed to this folder, "
                   "and let it drive the joint")
-      .otherwise("limits are no drives");
+      .otherwise("no drives are made of limits");
   command.add_option("-o,--output", options->output_file, "Write the document to this file")
       .otherwise("-, standard output")
       .names_a_file();
