@@ -212,7 +212,7 @@ TEST(StrengthOfAResult, RefusesWhatHoldsNoGearbox) {
   refused(strength_of_result({"--steel", "case_hardened"}), "missing; say --face-width MM");
   refused(strength_of_result({"--steel", "case_hardened", "--face-width", "1,2,3"}), "two layers");
   refused(strength_of_result({"--steel", "case_hardened", "--face-width", "10", "--design", "2"}),
-          "--design 2 is not there; it holds 1");
+          "--design 2 is not there; the number of designs is 1");
   refused(strength({"--torque", "21", "--steel", "case_hardened"}), "goes with a gearbox_result");
 }
 

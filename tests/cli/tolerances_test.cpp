@@ -96,7 +96,7 @@ TEST(Tolerances, RefuseWhatIsNoLimit) {
   EXPECT_NE(refusal({"--centre-distance", "nan"}), "");
   EXPECT_NE(refusal({"--min-yield", "1.5"}), "");
   EXPECT_NE(refusal({"--draws", "0"}), "");
-  EXPECT_NE(refusal({"--design", "2"}).find("--design 2 is not there; it holds 1"),
+  EXPECT_NE(refusal({"--design", "2"}).find("--design 2 is not there; the number of designs is 1"),
             std::string::npos);
 }
 

@@ -306,7 +306,7 @@ std::string next_text(const std::string& problem_file, const Problem& problem) {
   if (problem.face_width_mm.empty()) more += " --face-width MM";
   if (!problem.load_output_torque_Nm) more += " --torque NM";
   return fmt::format(
-      "next: torquewright gearbox optimize {} --all; -o RESULT.json, then torquewright gearbox "
+      "next: torquewright gearbox optimize {} --all; or -o RESULT.json, then torquewright gearbox "
       "strength RESULT.json{}\n",
       shell_word(problem_file), more);
 }
