@@ -316,7 +316,7 @@ void CsvReader::check_encoding(std::string_view first_line) const {
                     in_quotes(trimmed(first_line))));
   }
   if (first_that_is_no_utf8(first_line) != std::string_view::npos) {
-    refuse_row("the header is no UTF-8; convert it: iconv -f latin1 -t utf-8");
+    refuse_row("the header is not UTF-8; convert it: iconv -f latin1 -t utf-8");
   }
 }
 

@@ -271,7 +271,7 @@ TEST(Identify, RefusesARunWhoseNameIsNoLineOfText) {
   bench.place.write("log.csv", with(bench.place.text("log.csv"), "run_1", "run\xE9"));
   const Outcome outcome = bench.run({"identify"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("the run's name holds the byte 0xE9, which is no UTF-8"),
+  EXPECT_NE(outcome.err.find("the run's name holds the byte 0xE9, which is not UTF-8"),
             std::string::npos)
       << outcome.err;
 }

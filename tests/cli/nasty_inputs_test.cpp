@@ -151,7 +151,7 @@ TEST(NastyInputs, NamesOfJointsThatAreNoLineOfText) {
   const std::string motion = text_of(in_repository("specs/trajectory/knee_extension.csv"));
   for (const auto& [name, holds] : std::vector<std::pair<std::string, std::string>>{
            {"kn\xEF\xBF\xBE", "the character U+FFFE"},
-           {"kn\xE9", "the byte 0xE9, which is no UTF-8"},
+           {"kn\xE9", "the byte 0xE9, which is not UTF-8"},
            {"knee: passes\nx", "the character U+000A"}}) {
     place.write("knee.csv", motion);
     const Outcome by_joint =
@@ -184,7 +184,7 @@ TEST(NastyInputs, TablesOfOtherPrograms) {
   const std::vector<std::pair<std::string, std::string>> tables{
       {"t,T [\xB0"
        "C]\n0,1\n",
-       "the header is no UTF-8; convert it: iconv -f latin1 -t utf-8"},
+       "the header is not UTF-8; convert it: iconv -f latin1 -t utf-8"},
       {"sep=|\nt,q\n0,1\n",
        "\"sep=|\" is a spreadsheet's line about separators; columns may be separated by commas, "
        "semicolons or tabs"},

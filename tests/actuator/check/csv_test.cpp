@@ -186,7 +186,7 @@ INSTANTIATE_TEST_SUITE_P(
         MistakenText{std::string("\xFF\xFE"
                                  "a\0,\0",
                                  6),
-                     "is no CSV but text in UTF-16, which spreadsheets call Unicode text: iconv -f "
+                     "is not CSV but text in UTF-16, which spreadsheets call Unicode text: iconv -f "
                      "utf-16 -t utf-8 FILE > FILE.csv"}));
 
 // Files that are no table say what they are and what reads them.
@@ -196,9 +196,9 @@ TEST(Csv, SaysWhatAFileIsThatIsNoTable) {
       {"Bench 3\nDate,2026/05/04\n\na,b\n1,2\n3,4\n",
        "line 2: has 2 cells, the header has 1; the table seems to begin with line 4 (a,b), and the "
        "lines before are not part of it: tail -n +4 "},
-      {"{\"a\": [1]}\n", "is no CSV but JSON: "},
-      {"{\"a\": 1}\n{\"a\": 2}\n", "is no CSV but JSON, a line for each row: "},
-      {"<!DOCTYPE html><html>\n", "is no CSV but a web page or XML"}};
+      {"{\"a\": [1]}\n", "is not CSV but JSON: "},
+      {"{\"a\": 1}\n{\"a\": 2}\n", "is not CSV but JSON, a line for each row: "},
+      {"<!DOCTYPE html><html>\n", "is not CSV but a web page or XML"}};
   for (const auto& [text, said] : cases) {
     const auto file = folder.write("t.csv", text);
     const std::string refusal = test::refusal([&] { numbers_in(file); }, folder.path());
