@@ -112,7 +112,7 @@ std::vector<const Steel*> chosen_steels(const io::Document& result, const Topolo
     const auto found = own.find(gear);
     list.push_back(found == own.end() ? common : found->second);
     if (list.back() != nullptr) continue;
-    refuse(result, "", fmt::format("--steel says none for {}", gear));
+    refuse(result, "", fmt::format("--steel names no steel for {}", gear));
   }
   return list;
 }

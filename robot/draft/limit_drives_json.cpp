@@ -113,7 +113,7 @@ class Shelf {
 
 void note(const char* why, const std::vector<std::string>& joints, LimitDrives& made) {
   if (joints.empty()) return;
-  made.notes.push_back(fmt::format("no drive is made for {} joint{} that {}: {}", joints.size(),
+  made.notes.push_back(fmt::format("no drive is made for {} joint{} without {}: {}", joints.size(),
                                    joints.size() == 1 ? "" : "s", why, fmt::join(joints, ", ")));
 }
 
@@ -155,7 +155,7 @@ LimitDrives limit_drives(const Robot& robot,
       made.in_loops.push_back({i, j, shelf.drive_of(limits)});
     }
   }
-  note("state no limit of torque", without_torque, made);
+  note("a limit of torque", without_torque, made);
   if (!without_speed.empty()) {
     made.notes.push_back(fmt::format(
         "drives of joints that state no limit of speed have their torque at any speed: {}",

@@ -270,7 +270,7 @@ class MjcfReader {
           listed({split_balls_.begin(), split_balls_.end()})));
     }
     if (!made_up_.empty()) {
-      imported_.notes.push_back(fmt::format("names made up, for the file states none: {}",
+      imported_.notes.push_back(fmt::format("these names are made up, for the file states none: {}",
                                             listed({made_up_.begin(), made_up_.end()})));
     }
   }

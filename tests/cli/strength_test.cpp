@@ -256,7 +256,7 @@ TEST(StrengthOfAResult, TakesASteelForEachGear) {
     EXPECT_EQ(bad.exit_code, 2);
     EXPECT_NE(bad.err.find(words), std::string::npos) << bad.err;
   };
-  refused({"--steel", "sun=case_hardened", "--face-width", "10"}, "says none for planet_1");
+  refused({"--steel", "sun=case_hardened", "--face-width", "10"}, "names no steel for planet_1");
   refused({"--steel", "case_hardened,moon=case_hardened", "--face-width", "10"}, "names no gear");
   refused({"--steel", "case_hardened", "--face-width", "10", "--rim", "sun=nan"}, "needs a length");
   refused({"--steel", "case_hardened", "--face-width", "10", "--rim", "sun=0.5"}, "too thin");
