@@ -43,8 +43,8 @@ void add_notes_of_parts(const Robot& robot, const MjcfParts& parts,
     notes.emplace_back(
         parts.servos
             ? "drives share the battery and warm up: the file holds neither"
-            : "controls of drives are voltages in V; not held is that drives share the battery, "
-              "that they warm up, and what else no line between torque and speed holds");
+            : "controls of drives are voltages in V; the file does not hold that drives share the "
+              "battery and warm up, nor what else no line between torque and speed holds");
     notes.emplace_back(
         parts.friction == actuator::FrictionPlace::kJoint
             ? "friction of drives is that of the joint or the tendon that they turn, "
@@ -104,7 +104,7 @@ void write_all(tinyxml2::XMLPrinter& out, const LoopedRobot& looped, const dynam
 
 Exported mjcf_of(const Robot& robot, const MjcfParts& parts) {
   Exported exported;
-  exported.notes.emplace_back("speed limits of joints are not held");
+  exported.notes.emplace_back("the file does not hold speed limits of joints");
   LoopedRobot looped =
       parts.closed_loops ? with_closed_loops(robot, exported.notes) : LoopedRobot{robot, {}, {}};
   if (parts.actuators) leave_to_drives(robot, looped.robot.tree);

@@ -340,12 +340,14 @@ class Collector {
         greatest = std::max(greatest, ratio);
       }
       if (greatest - least <= kSame) continue;
-      notes_.push_back(fmt::format(
-          "{} turns at a ratio that changes with posture ({}): held is {:.4g} Nm, at the posture "
-          "nearest to zero; within the joints' ranges it is {:.4g} to {:.4g} Nm, and the speeds "
-          "change the other way",
-          joint_name(drivetrain.joints[j]), drivetrain.mechanism->type(), shapes[j][cap],
-          least * shapes[j][cap], greatest * shapes[j][cap]));
+      notes_.push_back(
+          fmt::format("{} turns at a ratio that changes with posture ({}): the file holds {:.4g} "
+                      "Nm, that of the "
+                      "posture nearest to zero; within the joints' ranges it is {:.4g} to {:.4g} "
+                      "Nm, and the speeds "
+                      "change the other way",
+                      joint_name(drivetrain.joints[j]), drivetrain.mechanism->type(),
+                      shapes[j][cap], least * shapes[j][cap], greatest * shapes[j][cap]));
     }
   }
 
