@@ -403,7 +403,7 @@ TEST_F(HopperCheck, CarriesTheMassOfACandidate) {
 }
 
 // Oracles by hand: balls of 0.3 m, centres 1 m apart at the hand, reach each other when it folds to
-// 0.5 m; a force of the file that pulls down is not one of a ground.
+// 0.5 m; a force of the file that pulls down is none of a ground.
 TEST_F(HopperCheck, SaysWhereBodiesMeetAndWhereTheGroundWouldPull) {
   json robot = crane();
   robot["bodies"].push_back({{"name", "hand"},
