@@ -189,11 +189,11 @@ std::string equation_section(const EquationResult& equation, const Identificatio
       only_confirms(equation) ? "<span class=\"soft\">simulated, no verdict of its own</span>"
                               : badge(equation.verdict));
   if (!equation.unusable.empty()) return text + paragraph(equation.unusable) + "</section>\n";
-  text += paragraph(
-      fmt::format("The residual {} is {} rms on held-out runs, {} on fitted ones; the noise floor is {}.",
-                  band_words(equation), rms_text(equation.before.holdout_rms, equation.unit),
-                  rms_text(equation.before.train_rms, equation.unit),
-                  rms_text(equation.noise_floor_rms, equation.unit)));
+  text += paragraph(fmt::format(
+      "The residual {} is {} rms on held-out runs, {} on fitted ones; the noise floor is {}.",
+      band_words(equation), rms_text(equation.before.holdout_rms, equation.unit),
+      rms_text(equation.before.train_rms, equation.unit),
+      rms_text(equation.noise_floor_rms, equation.unit)));
   if (select)
     text += pictures.draw(waterfall_plot(equation),
                           "Error on runs that were not fitted, after each effect") +

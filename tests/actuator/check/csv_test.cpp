@@ -183,11 +183,12 @@ INSTANTIATE_TEST_SUITE_P(
                      "line 2, column 2 (b): text stands behind the closing quote"},
         MistakenText{std::string("a,b\n1,\0\n", 8),
                      "line 2: holds bytes that are no text; save it as UTF-8"},
-        MistakenText{std::string("\xFF\xFE"
-                                 "a\0,\0",
-                                 6),
-                     "is not CSV but text in UTF-16, which spreadsheets call Unicode text: iconv -f "
-                     "utf-16 -t utf-8 FILE > FILE.csv"}));
+        MistakenText{
+            std::string("\xFF\xFE"
+                        "a\0,\0",
+                        6),
+            "is not CSV but text in UTF-16, which spreadsheets call Unicode text: iconv -f "
+            "utf-16 -t utf-8 FILE > FILE.csv"}));
 
 // Files that are no table say what they are and what reads them.
 TEST(Csv, SaysWhatAFileIsThatIsNoTable) {
