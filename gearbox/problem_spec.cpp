@@ -254,7 +254,7 @@ class Reader {
       report("/constraints", "\"paper\" knows no shifts; synthesis needs \"buildable\"");
     }
     if (problem_.objective != Objective::kMass) {
-      report("/objective", "synthesis makes the mass least as yet; use \"mass\"");
+      report("/objective", "synthesis can only make the mass least so far; use \"mass\"");
     }
     if (root().contains("face_width_mm")) {
       report("/face_width_mm", "is chosen by synthesis; leave it out");

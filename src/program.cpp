@@ -69,9 +69,9 @@ void add_policy_commands(Command& program) {
 }
 
 void add_robot_commands(Command& program) {
-  Command robot =
-      add_group(program, "robot", "Any robot: can it do a motion, and in which program's files?",
-                "robot export specs/robot/rabbit.json --format urdf");
+  Command robot = add_group(program, "robot",
+                            "Any robot: can it do a motion, and how do other programs read it?",
+                            "robot export specs/robot/rabbit.json --format urdf");
   add_hopper_check_command(robot);
   add_replay_command(robot);
   add_attach_command(robot);

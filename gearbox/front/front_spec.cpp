@@ -46,8 +46,8 @@ Problem read_front_problem(const io::Document& document, Objective first, Object
     read_problem(asked);  // For its faults.
   } else if (first != Objective::kMass || !can_be_floor(second)) {
     io::refuse("--objectives",
-               "of a synthesis are mass against forward_efficiency, backward_efficiency or "
-               "hollow_shaft");
+               "a synthesis weighs mass alone, against forward_efficiency, backward_efficiency or "
+               "hollow_shaft: mass,forward_efficiency");
   }
   asked.root["objective"] = objective_name(first);
   return read_problem(asked);

@@ -20,9 +20,9 @@ Rational rational(const json& number) { return io::exact(number.get<double>()); 
 ReadDesign read_design(const io::Document& result, std::size_t number) {
   const json& designs = result.root["designs"];
   if (number < 1 || number > designs.size()) {
-    throw io::SpecError(
-        {{result.file, "/designs",
-          fmt::format("--design {} is not there; it holds {}", number, designs.size())}});
+    throw io::SpecError({{result.file, "/designs",
+                          fmt::format("--design {} is not there; the number of designs is {}",
+                                      number, designs.size())}});
   }
   const json& keys = designs[number - 1];
   ReadDesign read;

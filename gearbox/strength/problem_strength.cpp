@@ -30,9 +30,8 @@ std::vector<std::string> missing_keys(const Problem& problem) {
 std::string borne_sentence(const StrengthCase& strength, const Problem& problem) {
   const TorqueLimit limit = torque_limits(strength).for_cycles;
   return fmt::format(
-      "the teeth bear {:.4g} of {:.6g} Nm at the output ({}, {:.6g} loads{}); {} of {} "
-      "in "
-      "{} ends it.",
+      "the teeth bear {:.4g} Nm at the output, where {:.6g} Nm act ({}, {:.6g} loads{}); {} of {} "
+      "in {} sets their limit.",
       limit.joint_Nm, io::nearest(*problem.load_output_torque_Nm), *problem.steel, strength.cycles,
       problem.load_cycles ? "" : " assumed",
       limit.mode == FailureMode::kBending ? "bending at the root" : "pressure on the flank",
@@ -106,7 +105,7 @@ std::optional<StrengthCase> strength_of_design(const Problem& problem, const Des
 
 std::string held_fixed(const Problem& problem) {
   const bool has_layers = train_parts(problem.topology).layer_count() > 1;
-  return fmt::format("without profile shift{}{}",
+  return fmt::format("no profile shift{}{}",
                      has_layers ? ", one module for both layers, rings coaxial by their teeth" : "",
                      problem.face_width_mm.empty() ? "" : ", face widths as stated");
 }
@@ -122,7 +121,7 @@ std::string strength_statement(const Problem& problem, const Design& design) {
   const bool bears =
       torque_limits(*strength).for_cycles.joint_Nm >= io::nearest(*problem.load_output_torque_Nm);
   const std::string told =
-      (bears ? "" : "DOES NOT BEAR the load: ") + borne_sentence(*strength, whole);
+      (bears ? "" : "does not bear the load: ") + borne_sentence(*strength, whole);
   if (assumed.empty()) return told;
   return fmt::format("{} Assumed: {}.", told, fmt::join(assumed, ", "));
 }

@@ -40,7 +40,8 @@ const json& chosen_design(const io::Document& result, std::size_t place) {
   }
   if (place < 1 || place > designs.size()) {
     refuse(result, "/designs",
-           fmt::format("--design {} is not there; it holds {}", place, designs.size()));
+           fmt::format("--design {} is not there; the number of designs is {}", place,
+                       designs.size()));
   }
   return designs[place - 1];
 }
@@ -111,7 +112,7 @@ std::vector<const Steel*> chosen_steels(const io::Document& result, const Topolo
     const auto found = own.find(gear);
     list.push_back(found == own.end() ? common : found->second);
     if (list.back() != nullptr) continue;
-    refuse(result, "", fmt::format("--steel says none for {}", gear));
+    refuse(result, "", fmt::format("--steel names no steel for {}", gear));
   }
   return list;
 }
@@ -193,12 +194,13 @@ std::string assumed_sentence(const ReadStrength& read, const ResultStrengthOptio
   const StrengthCase& strength = read.strength;
   const LoadFactors& factors = strength.factors;
   return fmt::format(
-      "Assumed: K_A {}, K_v {}, {}K_Fbeta {}, K_Hbeta {}, {} of the "
-      "endurance limit for teeth bent both ways, safeties {} of root and {} of flank{}{}.",
+      "Assumed: application factor K_A {}, dynamic factor K_v {}, {}face load factors K_Fbeta {} "
+      "and K_Hbeta {}, {} of the endurance limit for teeth bent both ways, safeties {} of root and "
+      "{} of flank{}{}.",
       factors.application, factors.dynamic,
       options.load_sharing ? ""
-                           : fmt::format("K_gamma {} (of {} planets), ", factors.load_sharing,
-                                         strength.train.planet_count),
+                           : fmt::format("load sharing K_gamma {} (of {} planets), ",
+                                         factors.load_sharing, strength.train.planet_count),
       factors.face_load_root, factors.face_load_flank, factors.alternating_bending,
       strength.demanded_root_safety, strength.demanded_flank_safety,
       options.cycles ? "" : fmt::format(", {:.6g} loads (--cycles)", strength.cycles),

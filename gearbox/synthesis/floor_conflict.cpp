@@ -79,7 +79,7 @@ Demand load() {
 
 ConflictMember member(const Demand& demand, const SizedDesign& sized) {
   return {demand.name, sized.design,
-          fmt::format("Without {} there is {} with n = {} of {:.4g} kg: {}.", demand.phrase,
+          fmt::format("Without {} there is {} with {} planets, of {:.4g} kg: {}.", demand.phrase,
                       fmt::join(sized.design.teeth, "/"), sized.design.planet_count, sized.mass_kg,
                       demand.had(sized))};
 }

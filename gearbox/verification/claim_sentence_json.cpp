@@ -19,7 +19,7 @@ std::string design_text(const Problem& problem, const Json& design) {
   for (const std::string_view gear : find_topology(problem.topology)->gears) {
     teeth.push_back(design["teeth"][std::string(gear)]);
   }
-  return fmt::format("{} with n = {}, module {:g} mm", fmt::join(teeth, "/"),
+  return fmt::format("{} with {} planets, module {:g} mm", fmt::join(teeth, "/"),
                      design["planet_count"].get<std::int64_t>(), design["module_mm"].get<double>());
 }
 

@@ -27,7 +27,7 @@ void check_solves(const Json& search, const Json& options, const proof::Counts& 
 
 void check_seconds(const Json& search, proof::Faults& faults) {
   const Json seconds = search.value("seconds", Json(0.0));
-  if (!seconds.is_number() || seconds < 0.0) faults.add("/search/seconds", "is no time");
+  if (!seconds.is_number() || seconds < 0.0) faults.add("/search/seconds", "is not a time in s");
 }
 
 /// The K of "the K best". With a reference these are the K best; without, there are fewer.
@@ -60,7 +60,7 @@ void check_max_nodes(const Json& result, const Json& options, const proof::Count
 
 void check_time_limit(const Json& options, proof::Faults& faults) {
   const Json limit = options.value("time_limit_s", Json(1.0));
-  if (!limit.is_number() || limit <= 0.0) faults.add("/options/time_limit_s", "is no time");
+  if (!limit.is_number() || limit <= 0.0) faults.add("/options/time_limit_s", "is not a time in s");
 }
 
 }  // namespace

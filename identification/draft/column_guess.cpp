@@ -291,9 +291,10 @@ ColumnGuess guess_by_name(const std::string& column, const std::string& unit_bel
   const std::optional<Says> by_unit = parts.unit ? kind_of(parts.unit->dimension) : std::nullopt;
   const std::optional<Says> kind = by_unit ? by_unit : by_words;
   if (!kind) {
-    guess.why = is_count(parts.words)
-                    ? "counts are no angle; a quantity with \"scale\", the rad of one, reads them"
-                    : "its name says no quantity of a rig";
+    guess.why =
+        is_count(parts.words)
+            ? "counts are no angle; a quantity with \"scale\" (the rad of one count) reads them"
+            : "its name says no quantity of a rig";
     return guess;
   }
   const bool is_linear = parts.unit && (parts.unit->dimension == Dimension::kLength ||

@@ -26,7 +26,7 @@ const Importer& importer_of(std::string_view name) {
     names.emplace_back(importer->name);
   }
   const auto near = io::nearest(std::string(name), names);
-  io::refuse("format", fmt::format("\"{}\" is none; {}", name,
+  io::refuse("format", fmt::format("\"{}\" is not a format; {}", name,
                                    near ? fmt::format("did you mean \"{}\"?", *near)
                                         : "there are " + io::listed(names)));
 }

@@ -168,8 +168,9 @@ const PositionUnit& unit_asked_for(const ImportRequest& request) {
   const PositionUnit* unit = find_position_unit(request.units);
   if (unit != nullptr) return *unit;
   io::refuse("--units",
-             fmt::format("{}; a CSV does not hold what positions are in: {}",
-                         request.units.empty() ? "is needed" : "\"" + request.units + "\" is none",
+             fmt::format("{}; a CSV does not say what positions are in; known are {}",
+                         request.units.empty() ? "is needed"
+                                               : "\"" + request.units + "\" is not a known unit",
                          position_unit_names()));
 }
 

@@ -25,7 +25,7 @@ const Output& output_of(std::string_view name) {
     if (output->name == name) return *output;
     names.emplace_back(output->name);
   }
-  io::refuse("--as", fmt::format("\"{}\" is none of {}", name, io::listed(names)));
+  io::refuse("--as", fmt::format("\"{}\" is not one of {}", name, io::listed(names)));
 }
 
 }  // namespace torquewright::identification

@@ -60,7 +60,7 @@ std::string objection_to_unit(const ColumnUse& use, const std::string& written) 
                               written, io::either(io::unit_names(own->dimension)));
   }
   if (unit->dimension != own->dimension) {
-    return fmt::format("the unit under the header, {}, is none of {}, which the rig says it is",
+    return fmt::format("the unit under the header, {}, is not one of {}, which the rig says it is",
                        written, name_of(use.quantity));
   }
   return "";

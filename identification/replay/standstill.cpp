@@ -166,7 +166,7 @@ Standstill find_standstill(const ReplayCase& log, const Actuator& known,
   effect.holdout_rms_after = rms_of_losses(unseen);
   effect.evidence = fmt::format(
       "Simulated in {} windows of one second, it removes {:.0f} % of the squared error of position "
-      "where it was not fitted, {:.1f} standard errors.",
+      "where it was not fitted, which is {:.1f} standard errors.",
       training.size(), 100.0 * std::min(1.0, gain.share), gain.t);
   effect.evidence += sentence_of(with.starts_of(best));
   found.effect = std::move(effect);

@@ -89,8 +89,8 @@ std::string sentence_of(const AlikeNumber& number, const UnlikeJoint& unlike,
     is_first = false;
   }
   return fmt::format(
-      "{}: {} is {:.3g} ± {:.1g}, its {} sisters have {:.3g} to {:.3g}: unlike them by {:.0f} "
-      "standard errors.",
+      "{}: {} is {:.3g} ± {:.1g}, its {} sisters have {:.3g} to {:.3g}: it differs from "
+      "them by {:.0f} standard errors.",
       joints[unlike.own.joint], number.name, unlike.own.value, unlike.own.standard_error,
       number.joints.size() - 1, least, most, unlike.sigmas);
 }

@@ -15,7 +15,7 @@ void add_study(const RobotStudy& study, const std::vector<std::string>& joints,
                nlohmann::ordered_json& report);
 
 /// "RL_calf_joint: dry_friction_Nm at -2.27 rad is 1.94 ± 0.03, its sisters have 0.69 to 1.25:
-/// unlike them by 12 standard errors."
+/// it differs from them by 12 standard errors."
 std::string sentence_of(const AlikeNumber& number, const UnlikeJoint& unlike,
                         const std::vector<std::string>& joints);
 

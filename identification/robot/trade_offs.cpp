@@ -119,7 +119,8 @@ std::string sentence_of(const TradeOff& trade_off, const std::vector<std::string
                           each.ratio, each.ratio_error);
   }
   return fmt::format(
-      "{}{} scale together without changing the motion: none of them is told, only their ratios "
+      "{}{} scale together without changing the motion: the log tells none of them, only their "
+      "ratios "
       "to the gain: {}. {} would tell.",
       text, names, ratios, "A" + separated_by(trade_off).substr(1));
 }

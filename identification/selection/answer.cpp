@@ -65,15 +65,15 @@ std::vector<ResidualStructure> structure_left(const Rows& rows, const Eigen::Vec
 
 std::string evidence_for(const Comparison& gain, double share) {
   return fmt::format(
-      "It removes {:.0f} % of the squared error where it was not fitted, {:.1f} standard errors; "
-      "it helps in {} of {} parts.",
+      "It removes {:.0f} % of the squared error where it was not fitted, which is {:.1f} standard "
+      "errors; it helps in {} of {} parts.",
       100.0 * std::clamp(share, 0.0, 1.0), gain.t, gain.parts_better, gain.parts);
 }
 
 std::string undetermined_words(const std::vector<std::string>& parameters) {
   if (parameters.empty()) return "";
   return fmt::format(
-      " Of {} the log says nothing: less than its own error; a refined document has 0.",
+      " The log says nothing of {}: it is less than its own error, and a refined document has 0.",
       io::listed(parameters));
 }
 
@@ -83,8 +83,8 @@ std::string constant_words(const std::string& effect) {
   if (kind == nullptr || kind->acts != actuator::Acts::kOutputTorque) return "";
   const auto& ends = kind->tends_to;
   if (std::find(ends.begin(), ends.end(), "torque_offset") == ends.end()) return "";
-  return " What of its constant torque is an offset of a sensor, or friction that differs by "
-         "direction, no log tells: the neutral angle is that of all three together.";
+  return " No log tells what of its constant torque is an offset of a sensor or friction that "
+         "differs by direction: the neutral angle is that of all three together.";
 }
 
 /// Stated effects that a member takes the place of, and the one of its own kind.
@@ -270,18 +270,18 @@ std::string reason_of(const Comparison& gain, const SearchRules& rules) {
   if (gain.change_rms <= rules.least_change) {
     return fmt::format(
         "it lowers the error where it was not fitted by {:.1f} standard errors, and changes the "
-        "prediction by {:.3g}, which is less than the {:.3g} of the tolerance",
+        "prediction by {:.3g} rms (in its unit), which is less than the {:.3g} of the tolerance",
         gain.t, gain.change_rms, rules.least_change);
   }
   return fmt::format(
       "it lowers the error where it was not fitted by {:.1f} standard errors, and changes the "
-      "prediction by {:.3g}; another effect explains as much, or chance would",
+      "prediction by {:.3g} rms (in its unit); another effect explains as much, or chance would",
       gain.t, gain.change_rms);
 }
 
 std::string reason_of(const Unsteadiness& by) {
   return fmt::format(
-      "its value is not one over {}: fitted apart in quarters of it, it takes {:.0f} % of the "
+      "it has no one value over {}: fitted apart in each quarter of it, it takes {:.0f} % of the "
       "squares that are left",
       by.coordinate, 100.0 * by.share);
 }
@@ -349,8 +349,8 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   result.band_Hz = rows.options().cutoff_Hz;
   if (rows.training_blocks() < kLeastTrainingBlocks) {
     result.unusable =
-        fmt::format("{} blocks can be fitted; {} are needed: {}", rows.training_blocks(),
-                    kLeastTrainingBlocks, what_would_help(held.rows));
+        fmt::format("{} blocks of samples can be fitted, and {} are needed: {}",
+                    rows.training_blocks(), kLeastTrainingBlocks, what_would_help(held.rows));
     return result;
   }
   const auto asked = searched(equation, rows, held.replica, rules, options.select);

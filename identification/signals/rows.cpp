@@ -88,7 +88,7 @@ std::string what_would_help(const std::vector<Signals>& signals) {
         "a position with less noise, would help",
         100.0 * at_rest / all);
   }
-  return "a longer log";
+  return "a longer log would help";
 }
 
 Rows::Rows(const std::vector<Signals>& signals, const std::vector<std::size_t>& fold_of_run,

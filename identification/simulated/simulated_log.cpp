@@ -115,7 +115,8 @@ double drive_value(const io::CsvReader& csv, const Header& header,
   const double greatest = greatest_drive(header.kind, actuator);
   if (std::abs(value) <= (1.0 + kRoundOff) * greatest) return value;
   if (header.kind == simulation::DriveKind::kDuty) {
-    csv.refuse(header.drive, fmt::format("a duty of {:g} is none; it must be from -1 to 1", value));
+    csv.refuse(header.drive,
+               fmt::format("a duty of {:g} is not possible; it must be from -1 to 1", value));
   }
   const char* unit = header.kind == simulation::DriveKind::kCurrent ? "A" : "Nm";
   csv.refuse(

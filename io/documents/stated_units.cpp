@@ -197,7 +197,7 @@ class UnitTaker {
     if (unit == nullptr || (unit->ampere != nullptr && !key.takes_ampere)) {
       const std::vector<std::string> names = printed_names(key.unit, key.takes_ampere);
       faults_.push_back({file_, path + "/unit",
-                         fmt::format("\"{}\" is none of {}, the units of this key", name,
+                         fmt::format("\"{}\" is not one of {}, the units of this key", name,
                                      names.empty() ? key.unit : listed(names))});
       return;
     }

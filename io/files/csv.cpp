@@ -342,10 +342,11 @@ void CsvReader::check_row() const {
   std::string message = fmt::format("has {} cell{}, the header has {}", cells_.size(),
                                     cells_.size() == 1 ? "" : "s", header_.size());
   if (const auto begin = line_ <= kLinesBeforeTable ? find_table_begin(file()) : std::nullopt) {
-    refuse_row(fmt::format(
-        "{}; the table seems to begin with line {} ({}), and what stands before is none: tail -n "
-        "+{} {} > table.csv",
-        message, begin->line, begin->names, begin->line, file()));
+    refuse_row(
+        fmt::format("{}; the table seems to begin with line {} ({}), and the lines before are not "
+                    "part of it: tail -n "
+                    "+{} {} > table.csv",
+                    message, begin->line, begin->names, begin->line, file()));
   }
   const bool has_points = std::any_of(cells_.begin(), cells_.end(), [](std::string_view cell) {
     return cell.find('.') != std::string_view::npos;

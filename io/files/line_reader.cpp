@@ -40,7 +40,7 @@ bool LineReader::fill() {
 
 void LineReader::refuse_foreign(std::string_view first_bytes) const {
   const std::string what = foreign_format(first_bytes);
-  if (!what.empty()) refuse(file_, "is no CSV but " + what);
+  if (!what.empty()) refuse(file_, "is not CSV but " + what);
 }
 
 bool LineReader::next(std::string_view& line) {

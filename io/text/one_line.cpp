@@ -29,7 +29,7 @@ std::optional<std::string> unprintable_in(std::string_view text) {
   while (!text.empty()) {
     const Utf8Part part = first_utf8_part(text);
     if (!part.is_character) {
-      return fmt::format("the byte 0x{:02X}, which is no UTF-8",
+      return fmt::format("the byte 0x{:02X}, which is not UTF-8",
                          static_cast<unsigned char>(text.front()));
     }
     if (!is_printable(part)) return fmt::format("the character U+{:04X}", part.code_point);

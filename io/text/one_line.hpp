@@ -11,7 +11,7 @@
 namespace torquewright::io {
 
 /// What a text holds first that such a line cannot: "the character U+000A", "the byte 0xE9, which
-/// is no UTF-8".
+/// is not UTF-8".
 std::optional<std::string> unprintable_in(std::string_view text);
 
 /// The text with U+FFFD for each such character, and for each part that is no UTF-8.

@@ -111,7 +111,7 @@ std::string what_helps(const std::vector<DraftBody>& draft) {
   std::vector<std::string>& names = called.empty() ? ends : called;
   if (names.size() > kMostNamed) names.resize(kMostNamed);
   return fmt::format(
-      "--feet NAME takes what a link, geom or site of that name touches with, or its place; "
+      "--feet NAME takes the shapes of the link, geom or site of that name, else its place; "
       "--feet NAME=X0:X1,Y0:Y1,Z states a sole in its axes, in m{}",
       names.empty() ? "" : fmt::format(" (names: {})", listed(names)));
 }
@@ -127,7 +127,7 @@ void add_feet(const std::vector<DraftBody>& draft, Robot& robot, std::vector<std
   }
   if (!feet.taken().empty()) {
     notes.push_back(
-        fmt::format("contact points taken from shapes that collide: {}", listed(feet.taken())));
+        fmt::format("contact points are taken from shapes that collide: {}", listed(feet.taken())));
   } else {
     notes.push_back(
         fmt::format("no contact points: no foot of the file has a ball, box, capsule or cylinder "
@@ -135,7 +135,7 @@ void add_feet(const std::vector<DraftBody>& draft, Robot& robot, std::vector<std
                     what_helps(draft)));
   }
   if (!feet.unread().empty()) {
-    notes.push_back(fmt::format("feet whose meshes say nothing of where they touch: {}",
+    notes.push_back(fmt::format("the meshes of these feet do not say where they touch: {}",
                                 listed(feet.unread())));
   }
 }

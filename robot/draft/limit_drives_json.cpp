@@ -113,7 +113,7 @@ class Shelf {
 
 void note(const char* why, const std::vector<std::string>& joints, LimitDrives& made) {
   if (joints.empty()) return;
-  made.notes.push_back(fmt::format("no drive is made for {} joint{} that {}: {}", joints.size(),
+  made.notes.push_back(fmt::format("no drive is made for {} joint{} without {}: {}", joints.size(),
                                    joints.size() == 1 ? "" : "s", why, fmt::join(joints, ", ")));
 }
 
@@ -155,15 +155,15 @@ LimitDrives limit_drives(const Robot& robot,
       made.in_loops.push_back({i, j, shelf.drive_of(limits)});
     }
   }
-  note("state no limit of torque", without_torque, made);
+  note("a limit of torque", without_torque, made);
   if (!without_speed.empty()) {
-    made.notes.push_back(
-        fmt::format("drives of joints that state no limit of speed have their torque at any: {}",
-                    fmt::join(without_speed, ", ")));
+    made.notes.push_back(fmt::format(
+        "drives of joints that state no limit of speed have their torque at any speed: {}",
+        fmt::join(without_speed, ", ")));
   }
   if (!slides.empty()) {
     made.notes.push_back(fmt::format(
-        "of drives that push ({}) the documents' torques are forces in N, their speeds m/s",
+        "the documents of drives that push ({}) state forces in N as torques, and speeds in m/s",
         fmt::join(slides, ", ")));
   }
   return made;

@@ -118,7 +118,7 @@ void add_named_feet(const std::vector<DraftBody>& draft, const std::vector<Named
                     io::listed(feet.unread())));
   }
   notes.push_back(
-      fmt::format("contact points taken as named by --feet: {}", io::listed(feet.taken())));
+      fmt::format("contact points are taken as named by --feet: {}", io::listed(feet.taken())));
 }
 
 }  // namespace torquewright::hopper

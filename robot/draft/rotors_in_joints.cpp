@@ -57,9 +57,9 @@ dynamics::Tree tree_with_rotors(const Robot& robot, std::vector<std::string>& no
     const double off =
         greatest_change_kg_m2(tree, drivetrain, armature_kg_m2, SmallMatrix(held.asDiagonal()));
     notes.push_back(fmt::format(
-        "the rotors of {} stand frozen as they weigh at each joint nearest to zero, {:.4g} "
-        "kg m2 and less: within the joints' ranges their change with posture and their "
-        "coupling of joints, which are not held, reach {:.4g} kg m2",
+        "the rotors of {} are written as they weigh at each joint nearest to zero, {:.4g} kg m2 "
+        "and less; how this changes with posture and couples joints is not held: up to {:.4g} "
+        "kg m2 within the joints' ranges",
         fmt::join(names, ", "), held.maxCoeff(), off));
   }
   return tree;

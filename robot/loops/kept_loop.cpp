@@ -114,18 +114,18 @@ void KeptLoop::add_notes(const std::string& why_kept, std::vector<std::string>& 
   notes.push_back(
       loop.mechanism
           ? fmt::format("what moves {} is kept as a loop of its own bodies, driven at {}, {}: "
-                        "closed by numbers, its links' weight and friction counted; no mechanism "
-                        "of closed form "
-                        "is it: {}",
+                        "it is closed numerically, with its links' weight and friction; it is no "
+                        "mechanism of closed form: {}",
                         fmt::join(own, " and "), fmt::join(drives, " and "), links, why_kept)
           : fmt::format(
-                "{} follow {} (key followers): closed by numbers, their weight, springs and "
-                "friction counted; no mechanism is it: {}",
+                "{} follow {} (key followers): they are closed numerically, with their weight, "
+                "springs and friction; they are no mechanism: {}",
                 links, fmt::join(own, ", "), why_kept));
   if (loop.follower) add_note_of_ends(notes);
   if (!limited.empty()) {
     notes.push_back(fmt::format(
-        "limits of effort of {}, joints within a loop, bind nothing: its drive's document does",
+        "limits of effort of {}, joints within a loop, are not held: the document of its drive "
+        "limits it",
         fmt::join(limited, ", ")));
   }
 }
@@ -143,7 +143,7 @@ void KeptLoop::add_note_of_ends(std::vector<std::string>& notes) const {
       if (loop.follower->follow<double>(at, rest)) continue;
       notes.push_back(fmt::format(
           "with the others at their starts \"{}\" does not reach {:.4g}, the end of its range: the "
-          "links that follow it open before, and a motion or a run that goes there is told so",
+          "links that follow it open before, and a check or replay that goes there says so",
           joint.name, end));
     }
   }

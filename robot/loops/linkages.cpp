@@ -165,9 +165,9 @@ class LinkageReader {
     if (!worst->trouble.empty() || worst->energy_share <= options_.greatest_link_error) return;
     const auto index = static_cast<std::size_t>(worst - differences.begin());
     worst->trouble = fmt::format(
-        "cranks and rods weigh {:.4g} kg, and a {} has rods without mass: put to their neighbours "
-        "it leaves the kinetic energy of a motion off by up to {:.2g} of it, more than {:.2g} "
-        "(--link-error allows more, --massless-links leaves their mass out)",
+        "cranks and rods weigh {:.4g} kg, and a {} has rods without mass: with their mass put to "
+        "their neighbours the kinetic energy of a motion is off by up to {:.2g} of it, more than "
+        "{:.2g} (--link-error allows more, --massless-links leaves their mass out)",
         mass_kg_, linkages_[index].mechanism->type(), worst->energy_share,
         options_.greatest_link_error);
   }
@@ -208,7 +208,7 @@ class LinkageReader {
       worst = std::max(worst, off_[i].energy_share);
       imported_.notes.push_back(
           fmt::format("what moves {} is read as a {}, driven at {}: in {} postures cranks stand "
-                      "where the file's bodies do, but for {:.1g} rad",
+                      "where the file's bodies do, to within {:.1g} rad",
                       joints_of(linkages_[i].loops.front()), linkages_[i].mechanism->type(),
                       fmt::join(names_of(linkages_[i]), " and "), off_[i].postures,
                       io::known(off_[i].crank_rad, 1.0)));
@@ -219,11 +219,12 @@ class LinkageReader {
             ? fmt::format("cranks and rods are left out with their {:.4g} kg: the kinetic energy "
                           "of a motion is off by at most {:.2g} of it",
                           mass_kg_, worst)
-            : fmt::format("cranks and rods weigh {:.4g} kg, which their neighbours get (rods by "
-                          "points at their pins, cranks at their axes, and what they weigh about "
-                          "these the drives): the kinetic energy of a motion is off by at most "
-                          "{:.2g} of it",
-                          mass_kg_, worst));
+            : fmt::format(
+                  "cranks and rods weigh {:.4g} kg, which goes to their neighbours: of rods "
+                  "to points at their pins, of cranks to their axes, and their inertia "
+                  "about these to the drives. The kinetic energy of a motion is off by at "
+                  "most {:.2g} of it",
+                  mass_kg_, worst));
   }
 
   std::vector<std::string> names_of(const Linkage& linkage) const {

@@ -114,8 +114,8 @@ class KeyframeReader {
 
   void note() const {
     if (names_.empty()) return;
-    imported_.notes.push_back(
-        fmt::format("postures by keyframes, the base upright: {}", fmt::join(names_, ", ")));
+    imported_.notes.push_back(fmt::format(
+        "postures are those of keyframes, with the base upright: {}", fmt::join(names_, ", ")));
   }
 
  private:

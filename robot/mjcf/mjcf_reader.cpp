@@ -188,7 +188,8 @@ class MjcfReader {
     const std::vector<MjcfJoint> joints = joints_in(held);
     if (compiler_.is_global && find_attribute(body, "pos") == nullptr && !joints.empty() &&
         joints.front().is_free) {
-      faults_.report(body, "needs a pos: in global coordinates a body that floats has none else");
+      faults_.report(body,
+                     "needs a pos: in global coordinates a body that floats has no other place");
     }
     const MjcfBase base = base_of(pose, joints, driven_joints(root_, context_),
                                   options_.drops_base_armature, faults_);
@@ -269,7 +270,7 @@ class MjcfReader {
           listed({split_balls_.begin(), split_balls_.end()})));
     }
     if (!made_up_.empty()) {
-      imported_.notes.push_back(fmt::format("names made up, for the file states none: {}",
+      imported_.notes.push_back(fmt::format("these names are made up, for the file states none: {}",
                                             listed({made_up_.begin(), made_up_.end()})));
     }
   }

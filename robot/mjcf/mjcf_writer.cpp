@@ -42,14 +42,14 @@ void add_notes_of_parts(const Robot& robot, const MjcfParts& parts,
   if (parts.actuators && !robot.drivetrains.empty()) {
     notes.emplace_back(
         parts.servos
-            ? "each drive loads the battery alone, and its heat is not held"
-            : "controls of drives are voltages in V; each loads the battery alone, and heat "
-              "and what else no line between torque and speed holds");
+            ? "drives share the battery and warm up: the file holds neither"
+            : "controls of drives are voltages in V; the file does not hold that drives share the "
+              "battery and warm up, nor what else no line between torque and speed holds");
     notes.emplace_back(
         parts.friction == actuator::FrictionPlace::kJoint
             ? "friction of drives is that of the joint or the tendon that they turn, "
-              "beside what joints have themselves: limits are of the torque that "
-              "the motor brings there"
+              "beside what joints have themselves; limits are those of the motor's torque there, "
+              "before friction"
             : "friction of drives is taken off their limits: a torque below them "
               "arrives whole");
   }
@@ -104,7 +104,7 @@ void write_all(tinyxml2::XMLPrinter& out, const LoopedRobot& looped, const dynam
 
 Exported mjcf_of(const Robot& robot, const MjcfParts& parts) {
   Exported exported;
-  exported.notes.emplace_back("speed limits of joints are not held");
+  exported.notes.emplace_back("the file does not hold speed limits of joints");
   LoopedRobot looped =
       parts.closed_loops ? with_closed_loops(robot, exported.notes) : LoopedRobot{robot, {}, {}};
   if (parts.actuators) leave_to_drives(robot, looped.robot.tree);

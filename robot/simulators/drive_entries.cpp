@@ -153,8 +153,7 @@ class Collector {
     for (const Drivetrain& drivetrain : robot_.drivetrains) add(drivetrain);
     note_armatures();
     notes_.emplace_back(
-        "each drive loads the battery alone, and heats alone: neither is held by a line between "
-        "torque and speed");
+        "drives share the battery and warm up: a line between torque and speed holds neither");
     std::vector<ActuatorNote> actuators;
     for (Fitted& actuator : fitted_) {
       actuators.push_back({std::move(actuator.file), std::move(actuator.note)});
@@ -341,12 +340,14 @@ class Collector {
         greatest = std::max(greatest, ratio);
       }
       if (greatest - least <= kSame) continue;
-      notes_.push_back(fmt::format(
-          "{} turns at a ratio that changes with posture ({}): held is {:.4g} Nm, at the posture "
-          "nearest to zero; within the joints' ranges it is {:.4g} to {:.4g} Nm, and the speeds "
-          "change the other way",
-          joint_name(drivetrain.joints[j]), drivetrain.mechanism->type(), shapes[j][cap],
-          least * shapes[j][cap], greatest * shapes[j][cap]));
+      notes_.push_back(
+          fmt::format("{} turns at a ratio that changes with posture ({}): the file holds {:.4g} "
+                      "Nm, that of the "
+                      "posture nearest to zero; within the joints' ranges it is {:.4g} to {:.4g} "
+                      "Nm, and the speeds "
+                      "change the other way",
+                      joint_name(drivetrain.joints[j]), drivetrain.mechanism->type(),
+                      shapes[j][cap], least * shapes[j][cap], greatest * shapes[j][cap]));
     }
   }
 

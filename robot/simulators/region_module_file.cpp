@@ -117,7 +117,7 @@ class ModuleText {
     if (groups_.empty()) {
       throw io::SpecError({{robot_.name, "/mechanisms", "no drive moves a joint at its home"}});
     }
-    notes_.emplace_back("each drive heats alone, and loads the battery alone");
+    notes_.emplace_back("each drive is computed as if it alone loaded the battery and heated");
     note_springs();
     return {head(origin) + body(), notes_};
   }
@@ -216,9 +216,8 @@ class ModuleText {
   void note_coupling(const Drivetrain& drivetrain) {
     if (drivetrain.joints.size() < 2 || composes() || friction_ == FrictionPlace::kLimits) return;
     notes_.push_back(fmt::format(
-        "{} share their drives: limits are each drive's own, but friction is each joint's as if "
-        "the "
-        "other rested",
+        "{} share their drives: limits are each drive's own, but each joint has the friction that "
+        "it has while the other rests",
         fmt::join(quoted(drivetrain), ", ")));
   }
 
@@ -237,8 +236,8 @@ class ModuleText {
     if (greatest - least <= kSameRatio) return;
     notes_.push_back(fmt::format(
         "{} turn at ratios that change with posture ({}): those nearest to zero are held; within "
-        "the joints' ranges drives bring {:.4g} to {:.4g} times that torque, and turn as much "
-        "faster",
+        "the joints' ranges drives bring {:.4g} to {:.4g} times that torque, and turn faster by "
+        "that factor at the same speed of the joints",
         fmt::join(quoted(drivetrain), ", "), drivetrain.mechanism->type(), least, greatest));
   }
 

@@ -95,8 +95,8 @@ std::vector<std::string> UrdfLimits::notes() const {
   }
   if (freed_.empty()) return notes;
   notes.push_back(
-      fmt::format("joints without a range, for their lower and upper limits are left out or zero, "
-                  "which simulators read as none (--weld-locked holds them at zero): {}",
+      fmt::format("these are joints without a range: their lower and upper limits are left out or "
+                  "zero, which simulators read as none (--weld-locked holds them at zero): {}",
                   listed(freed_)));
   return notes;
 }

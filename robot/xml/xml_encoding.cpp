@@ -44,7 +44,8 @@ std::optional<std::string> encoding_objection(std::string_view text, std::string
   const std::size_t place = io::first_that_is_no_utf8(text);
   if (place == std::string_view::npos) return std::nullopt;
   return fmt::format(
-      "line {}: is no UTF-8, which XML is where it states nothing else; convert the file: iconv -f "
+      "line {}: is not UTF-8, which XML is where it states nothing else; convert the file: iconv "
+      "-f "
       "latin1 -t utf-8",
       line_at(text, place));
 }

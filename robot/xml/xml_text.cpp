@@ -40,8 +40,9 @@ void add_passive_notes(const Robot& robot, bool holds_springs, std::vector<std::
     if (passive.static_friction > passive.dry_friction) held.push_back(body.joint.name);
   }
   if (!springs.empty() && !holds_springs) {
-    notes.push_back(fmt::format("the springs of {} are not held: the format has no word for them",
-                                fmt::join(springs, ", ")));
+    notes.push_back(
+        fmt::format("the file does not hold the springs of {}: its format has no word for them",
+                    fmt::join(springs, ", ")));
   }
   if (!held.empty()) {
     notes.push_back(
@@ -55,16 +56,17 @@ void add_common_notes(const Robot& robot, const LeftOut& left_out,
                       std::vector<std::string>& notes) {
   for (const dynamics::Body& body : robot.tree.bodies) {
     if (body.joint.rotor_spin_kg_m2.isZero(0)) continue;
-    notes.emplace_back("the rotors' own spin momentum is not held: reflected inertia alone is");
+    notes.emplace_back("the file holds reflected inertia of rotors, not their own spin momentum");
     break;
   }
   if (left_out.contacts && !robot.contacts.empty()) {
-    notes.push_back(fmt::format("{} contact points, their friction and restitution are not held",
-                                robot.contacts.size()));
+    notes.push_back(
+        fmt::format("the file does not hold {} contact points, their friction and restitution",
+                    robot.contacts.size()));
   }
   if (left_out.drives && !robot.drivetrains.empty()) {
-    notes.push_back(
-        fmt::format("{} mechanisms and their actuators are not held", robot.drivetrains.size()));
+    notes.push_back(fmt::format("the file does not hold {} mechanisms and their actuators",
+                                robot.drivetrains.size()));
   }
   if (const double links_kg = robot.links_kg(); left_out.links && links_kg > 0) {
     notes.push_back(fmt::format(

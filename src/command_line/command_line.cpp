@@ -103,7 +103,7 @@ const CLI::Validator kNamed(
 
 std::string not_among(const std::string& word, const std::vector<std::string>& words) {
   const auto near = io::nearest(word, words);
-  return fmt::format("\"{}\" is none of {}{}", word, io::listed(words),
+  return fmt::format("\"{}\" is not one of {}{}", word, io::listed(words),
                      near ? fmt::format("; did you mean {}?", *near) : "");
 }
 

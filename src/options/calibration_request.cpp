@@ -40,8 +40,8 @@ void add_calibration_options(command_line::Command& command, CalibrationRequest&
       .names_a_file();
   command
       .add_option("-o,--output", request.output_file,
-                  "Write the report as JSON to this file. Without --refined, a file so named gets "
-                  "the robot, in this version only")
+                  "Write the report as JSON to this file. In this version, without --refined it "
+                  "gets the fitted robot instead")
       .names_a_file();
   command.add_option("--plot", request.plot_file, "Draw the valley to this SVG or PNG")
       .names_a_file();

@@ -22,8 +22,8 @@ void add_physics_options(command_line::Command& command, hopper::CheckOptions& c
       .stated_as("residual_limit");
   command
       .add_option("--left-out-share", check.left_out_share,
-                  "Greatest share of the rows that may lack more than that and are named and left "
-                  "out of the verdict; 0 refuses for one. What the robot does there is not judged")
+                  "Greatest share of the rows that may exceed --residual-limit: they are named and "
+                  "not judged, the verdict is of the others. 0: one such row is refused")
       .between(0.0, 0.5)
       .stated_as("left_out_share");
   add_load_window(command, check);

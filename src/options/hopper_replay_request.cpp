@@ -87,13 +87,14 @@ void add_tracking_options(command_line::Command& command, HopperReplayRequest& r
       .stated_elsewhere_as("impact", kCountedPlace);
   command
       .add_option("--impact-metric", request.impact_metric,
-                  "Metric in which that part is split off: euclidean, as published, or inertia")
+                  "Metric in which --impact invariant splits the error: euclidean, as published, "
+                  "or inertia")
       .one_of({"euclidean", "inertia"})
       .stated_as("impact_metric");
   command
       .add_option("--impact-contact", request.impact_contact,
-                  "Which impulse that is: of the points that the motion brings down first, or of "
-                  "their whole foot")
+                  "Which impulse --impact invariant means: of the points that the motion brings "
+                  "down first, or of their whole foot")
       .one_of({"first", "foot"})
       .stated_as("impact_contact");
   command
@@ -108,7 +109,7 @@ void add_tracking_options(command_line::Command& command, HopperReplayRequest& r
       .stated_as("impact_window_s");
   command
       .add_option("--impact-blend", request.impact_blend_s,
-                  "Time over which that window opens and closes, in s")
+                  "Time over which the window about an impact opens and closes, in s")
       .between(1e-5, 1.0)
       .stated_as("impact_blend_s");
 }
@@ -137,8 +138,8 @@ void add_verdict_options(command_line::Command& command, HopperReplayRequest& re
       .stated_as("flight_tolerance", kTolerancesPlace);
   command
       .add_option("--place-tolerance", deeds.place_m,
-                  "How far feet may be from where the motion puts them, in m, beside that share "
-                  "of the way")
+                  "How far feet may be from where the motion puts them, in m, beside "
+                  "--flight-tolerance of the way")
       .between(1e-4, 100.0)
       .stated_as("place_tolerance_m", kTolerancesPlace);
   command

@@ -18,13 +18,13 @@ void add_log_options(command_line::Command& command, IdentifyRequest& request) {
   command
       .add_option("--robot", request.robot_file,
                   "Document of kind robot, whose joints moved while its base was held, where the "
-                  "rig says no load")
+                  "rig states no load")
       .otherwise("the rig's load");
   command
       .add_option("--actuator", request.actuators,
                   "Document of kind actuator, as designed; JOINT=FILE, once for each, on a serial "
-                  "arm; on a "
-                  "robot for those that are not as its document has them, '*_knee=FILE' for many")
+                  "arm; on a robot only for drives that differ from its document's, '*_knee=FILE' "
+                  "for many")
       .needed_by_its_work()
       .one_value_each();
   command.add_flag("--json", request.json, "Print the report as JSON");

@@ -63,7 +63,7 @@ double factor_of(const std::string& option, std::string_view name, const NeedPar
   const std::optional<io::Unit> unit = io::find_unit(name);
   if (unit && unit->dimension == part.turning) return unit->in_SI;
   if (!unit || unit->dimension != part.along) {
-    io::refuse(option, fmt::format("\"{}\" is none of {}; with --lever {} too", name,
+    io::refuse(option, fmt::format("\"{}\" is not one of {}; with --lever {} too", name,
                                    io::listed(io::unit_names(part.turning)),
                                    io::listed(io::unit_names(part.along))));
   }

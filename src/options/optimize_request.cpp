@@ -13,8 +13,8 @@ void add_optimize_options(command_line::Command& command, OptimizeRequest& reque
       .stated_as("top");
   command
       .add_option("--relaxation", request.relaxation,
-                  "When bounds come from a convex relaxation, which Ipopt solves, beside those of "
-                  "intervals")
+                  "When bounds come from a convex relaxation too, which Ipopt solves, and not from "
+                  "intervals alone")
       .one_of({"auto", "always", "never"})
       .stated_as("relaxation");
   command

@@ -6,8 +6,8 @@ namespace torquewright::cli {
 void add_severity_option(command_line::Command& command, SeverityOption& option) {
   command
       .add_option("--severity", option.word,
-                  "List the findings of this severity and worse ones alone, as far as the text "
-                  "goes: a document keeps all. error: what is a violation")
+                  "Print findings of this severity and worse ones alone; JSON keeps all. error: "
+                  "violations")
       .one_of({"error", "warning", "note"});
 }
 

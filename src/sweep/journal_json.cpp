@@ -114,7 +114,7 @@ std::optional<std::size_t> Journal::claim() {
 Answer as_kept(Answer answer) {
   if (answer.is_lost) return answer;
   const ordered_json row = ordered_json::parse(answer.row, nullptr, false);
-  if (row.is_discarded()) return {true, "", "its answer is no JSON"};
+  if (row.is_discarded()) return {true, "", "its answer is not JSON"};
   return {false, line_of(row), ""};
 }
 

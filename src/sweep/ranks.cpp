@@ -27,10 +27,11 @@ Ranks ranks_by_environment() {
 
 void require_possible(const Ranks& ranks) {
   if (ranks.own < ranks.count) return;
-  io::refuse("OMPI_COMM_WORLD_RANK",
-             fmt::format("{} is none of the {} ranks that OMPI_COMM_WORLD_SIZE states; unset both, "
-                         "or start with mpirun",
-                         ranks.own, ranks.count));
+  io::refuse(
+      "OMPI_COMM_WORLD_RANK",
+      fmt::format("{} is not one of the {} ranks that OMPI_COMM_WORLD_SIZE states; unset both, "
+                  "or start with mpirun",
+                  ranks.own, ranks.count));
 }
 
 }  // namespace torquewright::sweep

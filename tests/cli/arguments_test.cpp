@@ -43,7 +43,7 @@ std::vector<BadArguments> bad_arguments() {
        "command line: unknown option --trials of hopper check; it is one of hopper flip, hopper "
        "replay or robot replay"},
       {{"actuator", "mor", "a.json", "--side", "jont"},
-       "command line: --side: \"jont\" is none of joint, motor; did you mean joint?"},
+       "command line: --side: \"jont\" is not one of joint, motor; did you mean joint?"},
       {{"actuator", "mor", "a.json", "--for", "mjlab", "--format=mujoco"},
        "command line: --for and --format are one option; give one of them"},
       {{"actuator", "mor", "a.json", "--side", "joint", "--side", "motor"},
@@ -57,7 +57,7 @@ std::vector<BadArguments> bad_arguments() {
        "gearbox optimize [OPTIONS] problem"},
       {optimize({"--nonsense"}), "command line: unknown option --nonsense of gearbox optimize"},
       {optimize({"--relaxation", "often"}),
-       "command line: --relaxation: \"often\" is none of auto, always, never"},
+       "command line: --relaxation: \"often\" is not one of auto, always, never"},
       {after({"gearbox", "optimize", "efficient.json"}, {"--relaxation", "always"}),
        "--relaxation: \"always\" cannot help with the objective forward_efficiency, of which no "
        "convex bound is known; \"auto\" and \"never\" search by intervals"},

@@ -19,12 +19,12 @@ TEST(ExitCode, IsZeroForTheBestGearbox) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_TRUE(
       outcome.out.starts_with("optimal: proved, nothing is better.\n"
-                              "Held fixed: without profile shift, one module for both layers, "
+                              "Held fixed: no profile shift, one module for both layers, "
                               "rings coaxial by their teeth.\n"
                               "1. sun 44, planet_1 44, planet_2 32, fixed_ring 132, "
                               "output_ring 120; 4 planets, module 0.6 mm\n"))
       << outcome.out;
-  EXPECT_TRUE(outcome.out.find("\naccepted: 44/44/32/132/120 with n = 4") != std::string::npos)
+  EXPECT_TRUE(outcome.out.find("\naccepted: 44/44/32/132/120 with 4 planets") != std::string::npos)
       << outcome.out;
 }
 

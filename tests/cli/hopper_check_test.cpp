@@ -260,7 +260,7 @@ TEST_F(HopperCheck, ListsFindingsByTheirSeverity) {
     EXPECT_EQ(listed(errors, "violation"), listed(all, "violation"));
     EXPECT_EQ(errors.substr(0, errors.find('\n')), all.substr(0, all.find('\n')));
   }
-  expect_refusal(crane(), swing(0.5), "\"fatal\" is none of error, warning, note",
+  expect_refusal(crane(), swing(0.5), "\"fatal\" is not one of error, warning, note",
                  {"--severity", "fatal"});
 }
 

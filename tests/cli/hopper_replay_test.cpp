@@ -383,7 +383,7 @@ TEST_F(HopperReplay, RefusesByName) {
   expect_refusal({"--step", "0.001"}, "longer than the control period");
   expect_refusal(
       {"--trials", "3", "--randomise", "specs/randomisation/hopper.json", "--trial", "3"},
-      "3 is none of the trials 0 to 2");
+      "3 is not one of the trials 0 to 2");
   expect_refusal({"--impact", "invariant", "--control-period", "0.06", "--step", "0.001"},
                  "--impact-window");
   expect_refusal({"-o", "specs/trajectory/hopper_squat.csv"}, "hopper_squat.csv");

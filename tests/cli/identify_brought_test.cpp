@@ -177,7 +177,7 @@ TEST(OutputAs, StandsInPlaceOfTheReport) {
   EXPECT_EQ(json::parse(written_as("bam").out)["model"], "m1");
   const Outcome unknown = written_as("fcr");
   EXPECT_EQ(unknown.exit_code, 2);
-  EXPECT_NE(unknown.err.find("\"fcr\" is none of frc, bam"), std::string::npos) << unknown.err;
+  EXPECT_NE(unknown.err.find("\"fcr\" is not one of frc, bam"), std::string::npos) << unknown.err;
 }
 
 // Oracle: closed form. Weights are exchanged between runs.

@@ -218,7 +218,8 @@ TEST(Import, RefusesATableThatItDoesNotUnderstandByName) {
     return imported_text("sysid_csv", "lift.csv", text, more);
   };
   expect_refused(changed("12.1,", "12,", {}), "--units: is needed");
-  expect_refused(changed("12.1,", "12,", {"--units", "Furlongs"}), "\"Furlongs\" is none");
+  expect_refused(changed("12.1,", "12,", {"--units", "Furlongs"}),
+                 "\"Furlongs\" is not a known unit");
   expect_refused(changed("velocity-arm", "speed-arm"), "no motor has voltage-MOTOR-TEST");
   expect_refused(changed("sysid-test-state", "state"), "has no sysid-test-state-TEST");
   expect_refused(changed("dynamic-reverse", "sideways"), "\"sideways\" is no state of a test");

@@ -210,8 +210,9 @@ TEST(IdentifySimulate, RefusesWhatCannotBePlayed) {
   expect_refused(
       place, simulate(excitation("time_s,motor_current_A,output_velocity_rad_s,run", ",nan,1,a")),
       "nan");
-  expect_refused(place, simulate(excitation("time_s,duty,output_velocity_rad_s", ",1.01,1")),
-                 "e.csv: line 2, column 2 (duty): a duty of 1.01 is none; it must be from -1 to 1");
+  expect_refused(
+      place, simulate(excitation("time_s,duty,output_velocity_rad_s", ",1.01,1")),
+      "e.csv: line 2, column 2 (duty): a duty of 1.01 is not possible; it must be from -1 to 1");
   expect_refused(
       place, simulate(excitation("time_s,motor_current_A,output_velocity_rad_s,torqe", ",2,1,0")),
       "e.csv: the column \"torqe\" would not be played");

@@ -64,7 +64,7 @@ TEST(Identify, SaysAllStepsInItsText) {
   EXPECT_EQ(outcome.exit_code, 0);
   EXPECT_EQ(outcome.err, "");
   EXPECT_TRUE(
-      outcome.out.starts_with("log.csv on knee on the bench: explained\n"
+      outcome.out.starts_with("log.csv on \"knee on the bench\": explained\n"
                               "Missing from the model: load_dependent_friction. With it "
                               "what is left is noise.\n"))
       << outcome.out;
@@ -100,8 +100,9 @@ TEST(Identify, SaysThatTheToleranceRefuses) {
   for (const json& each : report["rejected"]) {
     if (each["effect"] == "load_dependent_friction") reason = each["reason"];
   }
-  EXPECT_NE(reason.find("changes the prediction by 0.735, which is less than the "),
-            std::string::npos)
+  EXPECT_NE(
+      reason.find("changes the prediction by 0.735 rms (in its unit), which is less than the "),
+      std::string::npos)
       << reason << report["rejected"];
   EXPECT_NE(reason.find("of the tolerance"), std::string::npos) << reason;
 }
@@ -270,7 +271,7 @@ TEST(Identify, RefusesARunWhoseNameIsNoLineOfText) {
   bench.place.write("log.csv", with(bench.place.text("log.csv"), "run_1", "run\xE9"));
   const Outcome outcome = bench.run({"identify"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("the run's name holds the byte 0xE9, which is no UTF-8"),
+  EXPECT_NE(outcome.err.find("the run's name holds the byte 0xE9, which is not UTF-8"),
             std::string::npos)
       << outcome.err;
 }

@@ -238,7 +238,7 @@ TEST(InitFromSheet, RefusesWhatIsNoSheet) {
       {"48 V\n9\n\n\n\n100\nsome\n\n\n\n",
        "standard input, line 7 (Resistance): \"some\": it does not begin with a number"},
       {"48 V\n9\n\n\n\n100\n93 mohmm\n30 A\n\n\n",
-       "(Resistance): \"93 mohmm\": \"mohmm\" is none of ohm, mohm"},
+       "(Resistance): \"93 mohmm\": \"mohmm\" is not one of ohm, mohm"},
       {"-48 V\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n",
        "standard input, line 1 (Supply voltage): \"-48 V\": "},
       {"> 48 V\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n", "\"> 48 V\": Supply voltage is a number"},
@@ -251,11 +251,11 @@ TEST(InitFromSheet, RefusesWhatIsNoSheet) {
        "\"7.2 V/krpm\": a back-EMF constant; where its volts are the amplitude between two leads, "
        "Kv "
        "is 138.9 rpm/V"},
-      {"48 V\n9\n\n\n\n100\n93 N\u00b7mm\n30 A\n\n\n", "\"N\u00b7mm\" is none of ohm, mohm"},
+      {"48 V\n9\n\n\n\n100\n93 N\u00b7mm\n30 A\n\n\n", "\"N\u00b7mm\" is not one of ohm, mohm"},
       {"24-48 V\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n", "\"24-48 V\": it is a range"},
       {"48 V\n9\n\n4,820 rpm\n\n100\n93 mohm\n30 A\n\n\n",
        "\"4,820 rpm\": the comma may stand for thousands or for decimals; write 4820 or 4.820"},
-      {"48 V\n9\n\n\n\n100\n93 Mohm\n30 A\n\n\n", "\"Mohm\" is none of ohm, mohm"},
+      {"48 V\n9\n\n\n\n100\n93 Mohm\n30 A\n\n\n", "\"Mohm\" is not one of ohm, mohm"},
       {"", "standard input: ends before answer 1 of 10"},
       {"48 V\n9\n\n\n\n100\n93 mohm\n30 A\n\n\n7\n",
        "standard input: goes on after 10 answers with \"7\""},

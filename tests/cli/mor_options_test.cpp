@@ -63,7 +63,7 @@ TEST(MorOptions, NeedsHaveTheUnitsThatPeopleHave) {
   EXPECT_EQ(mor(place, {"--need", "2kN@10"}).err,
             "--need: kN is along a line; --lever says how far from the axis that is\n");
   EXPECT_EQ(mor(place, {"--need", "200@10V"}).err,
-            "--need: \"V\" is none of rad/s, deg/s, rev/s, rpm; with --lever m/s, mm/s too\n");
+            "--need: \"V\" is not one of rad/s, deg/s, rev/s, rpm; with --lever m/s, mm/s too\n");
   EXPECT_EQ(mor(place, {"--lever", "0.1"}).exit_code, 2);
   const Outcome unused = mor(place, {"--need", "100@5", "--lever", "0.1"});
   EXPECT_EQ(unused.exit_code, 2);

@@ -151,7 +151,7 @@ TEST(NastyInputs, NamesOfJointsThatAreNoLineOfText) {
   const std::string motion = text_of(in_repository("specs/trajectory/knee_extension.csv"));
   for (const auto& [name, holds] : std::vector<std::pair<std::string, std::string>>{
            {"kn\xEF\xBF\xBE", "the character U+FFFE"},
-           {"kn\xE9", "the byte 0xE9, which is no UTF-8"},
+           {"kn\xE9", "the byte 0xE9, which is not UTF-8"},
            {"knee: passes\nx", "the character U+000A"}}) {
     place.write("knee.csv", motion);
     const Outcome by_joint =

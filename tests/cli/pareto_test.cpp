@@ -94,7 +94,7 @@ TEST(Pareto, RefusesWhatItCannotTrade) {
     return outcome.err;
   };
   EXPECT_NE(error("mass").find("takes two that differ"), std::string::npos);
-  EXPECT_NE(error("mass,weight").find("\"weight\" is none"), std::string::npos);
+  EXPECT_NE(error("mass,weight").find("\"weight\" is not an objective"), std::string::npos);
   EXPECT_NE(error("mass,paper_cost").find("can stand first only"), std::string::npos);
   place.write("tight.json", tight_knee());
   EXPECT_EQ(

@@ -18,7 +18,7 @@ std::string first_row(const std::string& teeth) {
 // Oracle: m (z + 2.5) + 2 (2.25 m) with m = 0.6 mm: 83.4 mm of 132 teeth, 76.2 mm of 120.
 TEST(RingBlank, IsHeldAgainstTheRotorsBoreInTheFirstLine) {
   EXPECT_EQ(first_row("44,44,32"),
-            "  ring blank        83.4 mm, DOES NOT FIT into the rotor's bore of 79.4 mm");
+            "  ring blank        83.4 mm, does not fit into the rotor's bore of 79.4 mm");
   EXPECT_EQ(first_row("24,48,28"),
             "  ring blank        76.2 mm, fits into the rotor's bore of 79.4 mm");
 }
@@ -40,7 +40,7 @@ TEST(CannotExist, IsSaidOnceAndDrawn) {
                                      "--planet-count", "11", "--draw", "x.svg"});
   EXPECT_EQ(count(outcome.out, "neighbour_clearance.layer_1: "), 1u) << outcome.out;
   EXPECT_EQ(count(outcome.out, "cannot_exist: neighbour_clearance.layer_1: "), 1u);
-  EXPECT_NE(place.text("x.svg").find("CANNOT EXIST: neighbour_clearance.layer_1"),
+  EXPECT_NE(place.text("x.svg").find("cannot exist: neighbour_clearance.layer_1"),
             std::string::npos);
 }
 

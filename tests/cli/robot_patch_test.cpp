@@ -117,7 +117,7 @@ TEST(RobotPatch, PassesFixedJointsByThatAPatternFits) {
   const Outcome patched =
       desk.run({"robot", "patch", "leg.urdf", "*knee=drive.json", "-o", "new.urdf"});
   ASSERT_EQ(patched.exit_code, 0) << patched.err;
-  EXPECT_TRUE(patched.out.starts_with("leg.urdf: 1 joint\n")) << patched.out;
+  EXPECT_TRUE(patched.out.starts_with("leg.urdf: 1 joint changes\n")) << patched.out;
   EXPECT_NE(desk.text("new.urdf").find(fixed.substr(fixed.find("<joint name=\"rigid_knee\""))),
             std::string::npos);
   const Outcome named = desk.run({"robot", "patch", "leg.urdf", "rigid_knee=drive.json"});

@@ -36,7 +36,7 @@ TEST(Strength, FailsWhereASafetyIsBelowTheDemandedOne) {
   EXPECT_EQ(outcome.err, "");
   EXPECT_NE(outcome.out.find("\n17 Nm at the motor, 136 Nm at the joint: borne\n"),
             std::string::npos);
-  EXPECT_NE(outcome.out.find("\n60 Nm at the motor, 480 Nm at the joint: BELOW"),
+  EXPECT_NE(outcome.out.find("\n60 Nm at the motor, 480 Nm at the joint: below"),
             std::string::npos);
 }
 
@@ -212,7 +212,7 @@ TEST(StrengthOfAResult, RefusesWhatHoldsNoGearbox) {
   refused(strength_of_result({"--steel", "case_hardened"}), "missing; say --face-width MM");
   refused(strength_of_result({"--steel", "case_hardened", "--face-width", "1,2,3"}), "two layers");
   refused(strength_of_result({"--steel", "case_hardened", "--face-width", "10", "--design", "2"}),
-          "--design 2 is not there; it holds 1");
+          "--design 2 is not there; the number of designs is 1");
   refused(strength({"--torque", "21", "--steel", "case_hardened"}), "goes with a gearbox_result");
 }
 
@@ -256,7 +256,7 @@ TEST(StrengthOfAResult, TakesASteelForEachGear) {
     EXPECT_EQ(bad.exit_code, 2);
     EXPECT_NE(bad.err.find(words), std::string::npos) << bad.err;
   };
-  refused({"--steel", "sun=case_hardened", "--face-width", "10"}, "says none for planet_1");
+  refused({"--steel", "sun=case_hardened", "--face-width", "10"}, "names no steel for planet_1");
   refused({"--steel", "case_hardened,moon=case_hardened", "--face-width", "10"}, "names no gear");
   refused({"--steel", "case_hardened", "--face-width", "10", "--rim", "sun=nan"}, "needs a length");
   refused({"--steel", "case_hardened", "--face-width", "10", "--rim", "sun=0.5"}, "too thin");

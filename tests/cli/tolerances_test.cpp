@@ -32,8 +32,8 @@ TEST(Tolerances, PrintWhatTheySayInJson) {
   const Outcome text = tolerances({"--draws", "500"});
   // Oracle: Wilson's interval of n of n, n/(n + z^2) to 1.
   EXPECT_EQ(
-      text.out.rfind("yield 100.00 % (99.24 % to 100.00 %, 95 %): 500 of 500 gearboxes drawn, "
-                     "seed 1, even between limits\n",
+      text.out.rfind("yield 100.00 % (99.24 % to 100.00 % with 95 % confidence): 500 of 500 drawn "
+                     "gearboxes are good (seed 1, even distribution between limits)\n",
                      0),
       0U)
       << text.out;
@@ -66,13 +66,13 @@ TEST(Tolerances, JudgeTheYield) {
   const Outcome missed =
       tolerances({"--draws", "500", "--max-backlash", "1e-5", "--min-yield", "0.5"});
   EXPECT_EQ(missed.exit_code, 1);
-  EXPECT_NE(missed.out.find("at least 50.00 % are asked for: MISSED\n"), std::string::npos);
+  EXPECT_NE(missed.out.find("at least 50.00 % are asked for: missed\n"), std::string::npos);
   EXPECT_NE(missed.out.find("     500 have more backlash than 1e-05 rad at the output\n"),
             std::string::npos)
       << missed.out;
   const Outcome open = tolerances({"--draws", "10", "--min-yield", "0.9"});
   EXPECT_EQ(open.exit_code, 3);
-  EXPECT_NE(open.out.find("at least 90.00 % are asked for: open, needs more --draws\n"),
+  EXPECT_NE(open.out.find("at least 90.00 % are asked for: undecided, more --draws would tell\n"),
             std::string::npos);
 }
 
@@ -96,7 +96,7 @@ TEST(Tolerances, RefuseWhatIsNoLimit) {
   EXPECT_NE(refusal({"--centre-distance", "nan"}), "");
   EXPECT_NE(refusal({"--min-yield", "1.5"}), "");
   EXPECT_NE(refusal({"--draws", "0"}), "");
-  EXPECT_NE(refusal({"--design", "2"}).find("--design 2 is not there; it holds 1"),
+  EXPECT_NE(refusal({"--design", "2"}).find("--design 2 is not there; the number of designs is 1"),
             std::string::npos);
 }
 

@@ -53,7 +53,7 @@ TEST(OneLine, ReplacesWhatNoLineHolds) {
             "d");
   EXPECT_EQ(unprintable_in("k\n"), "the character U+000A");
   EXPECT_EQ(unprintable_in("\xEF\xBF\xBE"), "the character U+FFFE");
-  EXPECT_EQ(unprintable_in("k\xE9"), "the byte 0xE9, which is no UTF-8");
+  EXPECT_EQ(unprintable_in("k\xE9"), "the byte 0xE9, which is not UTF-8");
   EXPECT_EQ(unprintable_in("kn\xC3\xA9"), std::nullopt);
   EXPECT_EQ(one_line(""), "");
 }

@@ -66,7 +66,7 @@ TEST(StatedUnits, OfAnotherKindAreFaults) {
     ASSERT_EQ(read.faults.size(), 1u) << unit;
     EXPECT_EQ(read.faults[0].path, "/motor/resistance_ohm/unit");
     EXPECT_EQ(read.faults[0].message,
-              "\"" + std::string(unit) + "\" is none of ohm, mohm, the units of this key");
+              "\"" + std::string(unit) + "\" is not one of ohm, mohm, the units of this key");
   }
 }
 
@@ -75,7 +75,7 @@ TEST(StatedUnits, OfAPhaseAreNotOfferedForASupply) {
   const json document = {{"drive", {{"supply_current_A", {{"value", 10}, {"unit", "A_rms"}}}}}};
   const Taken read = taken(document);
   ASSERT_EQ(read.faults.size(), 1u);
-  EXPECT_EQ(read.faults[0].message, "\"A_rms\" is none of A, mA, the units of this key");
+  EXPECT_EQ(read.faults[0].message, "\"A_rms\" is not one of A, mA, the units of this key");
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ open("t.npz.gz", "wb").write(gzip.compress(archive.getvalue()))
             "cut.csv.gz: ends in the middle of what gzip compressed; what there is of it: zcat "
             "FILE > FILE.csv");
   EXPECT_NE(refusal_of(folder, "spoilt.csv.gz").find("spoilt.csv.gz: "), std::string::npos);
-  EXPECT_NE(refusal_of(folder, "t.npz.gz").find("is no CSV but a NumPy archive"),
+  EXPECT_NE(refusal_of(folder, "t.npz.gz").find("is not CSV but a NumPy archive"),
             std::string::npos);
 }
 

@@ -44,7 +44,7 @@ class ForeignFiles(unittest.TestCase):
     def sentence(self, file, kind):
         done = self.check(file)
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
-        self.assertIn("is no CSV but " + kind, done.stderr)
+        self.assertIn("is not CSV but " + kind, done.stderr)
         return done.stderr
 
     def run_line_of(self, sentence, file):

@@ -138,9 +138,9 @@ void expect_planets_mesh_in(const std::string& svg, double paper_mm_per_module,
 
 TEST(GearboxDrawing, SaysWhatCannotExist) {
   DrawnGearbox drawing = d151();
-  EXPECT_EQ(gearbox_drawing(drawing).find("CANNOT EXIST"), std::string::npos);
+  EXPECT_EQ(gearbox_drawing(drawing).find("cannot exist"), std::string::npos);
   drawing.cannot_exist = {"neighbour_clearance.layer_1"};
-  EXPECT_NE(gearbox_drawing(drawing).find("CANNOT EXIST: neighbour_clearance.layer_1<"),
+  EXPECT_NE(gearbox_drawing(drawing).find("cannot exist: neighbour_clearance.layer_1<"),
             std::string::npos);
 }
 

@@ -491,10 +491,10 @@ TEST(XmlFiles, InOtherEncodingsAreRefusedWhereThatMatters) {
   EXPECT_NE(declared.find("encoding=\"ISO-8859-1\" is not read, and line 2"), std::string::npos)
       << declared;
   const std::string silent = read("", "caf\xE9");
-  EXPECT_NE(silent.find("line 1: is no UTF-8"), std::string::npos) << silent;
+  EXPECT_NE(silent.find("line 1: is not UTF-8"), std::string::npos) << silent;
   // RFC 3629, 3 and 10: an overlong "/" and half of a surrogate pair.
   for (const char* forbidden : {"caf\xE0\x80\xAF", "caf\xED\xA0\x80"}) {
-    EXPECT_NE(read("", forbidden).find("line 1: is no UTF-8"), std::string::npos);
+    EXPECT_NE(read("", forbidden).find("line 1: is not UTF-8"), std::string::npos);
   }
 }
 

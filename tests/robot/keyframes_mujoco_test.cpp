@@ -71,7 +71,8 @@ TEST(MjcfKeyframes, StandAsMujocoHasThem) {
   const Imported read = read_mjcf(file, {.body = "trunk"});
   const std::string notes = test::all_of(read.notes);
   ASSERT_EQ(read.robot.postures.size(), 2U) << notes;
-  EXPECT_NE(notes.find("postures by keyframes, the base upright: home, key_1"), std::string::npos);
+  EXPECT_NE(notes.find("postures are those of keyframes, with the base upright: home, key_1"),
+            std::string::npos);
   EXPECT_NE(notes.find("the keyframe bent is left out: hip stands at 1.6 there"),
             std::string::npos);
   char error[200] = "";

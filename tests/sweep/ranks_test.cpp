@@ -110,7 +110,8 @@ TEST(RankOfTheEnvironment, IsRefusedWhereItIsNoneOfThem) {
   const Surroundings rank("OMPI_COMM_WORLD_RANK", "3");
   const Outcome outcome = place.run({"--points", "2"});
   EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(outcome.err.find("OMPI_COMM_WORLD_RANK: 3 is none of the 1 ranks"), std::string::npos)
+  EXPECT_NE(outcome.err.find("OMPI_COMM_WORLD_RANK: 3 is not one of the 1 ranks"),
+            std::string::npos)
       << outcome.err;
 }
 

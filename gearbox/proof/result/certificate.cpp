@@ -114,7 +114,7 @@ void check_result(const Problem& problem, const Json& result, Account& account, 
   } else if (status == "infeasible") {
     check_infeasible(problem, result, account);
   } else {
-    account.faults.add("/status", "is none of optimal, infeasible, limit");
+    account.faults.add("/status", "is not one of optimal, infeasible, limit");
   }
 }
 

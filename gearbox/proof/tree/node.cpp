@@ -97,7 +97,7 @@ void close(Node& node, const Json& json, const std::string& last_cut) {
   } else if (how == "open") {
     leave_open(node, json);
   } else {
-    node.fault("/closed", "is none of empty, enumerated, relaxation, open");
+    node.fault("/closed", "is not one of empty, enumerated, relaxation, open");
   }
 }
 

@@ -70,7 +70,8 @@ std::size_t drivetrain_of(const std::string& drive, const hopper::ReadRobot& rea
   std::sort(names.begin(), names.end());
   names.erase(std::unique(names.begin(), names.end()), names.end());
   if (names.empty()) io::refuse("--drive", "the robot has no drives");
-  io::refuse("--drive", fmt::format("\"{}\" is none; there are {}", drive, fmt::join(names, ", ")));
+  io::refuse("--drive", fmt::format("\"{}\" is not a drive of the robot; there are {}", drive,
+                                    fmt::join(names, ", ")));
 }
 
 hopper::MotorShelf shelf_of(const DesignRequest& request, const hopper::ReadRobot& robot,
@@ -241,7 +242,7 @@ void add_design_options(command_line::Command& command, DesignRequest& request) 
       .otherwise("1, the best by the objective")
       .integer_between(1, 100);
   command.add_flag("--all-pairs", request.all_pairs,
-                   "Search gears for pairs too that no efficiency would save");
+                   "Search gears also for pairs that would fail with gears without losses");
   command.add_flag("--motion-load", request.takes_load_of_motion,
                    "Let the gears bear the greatest torque of the motion, not the problem's load");
   command.add_option("--time-limit", request.time_limit_s, "End the search after so many seconds")

@@ -98,9 +98,9 @@ ExitCode run_drawing(const DrawingOptions& options) {
 void add_drawing_command(command_line::Command& gearbox) {
   auto options = std::make_shared<DrawingOptions>();
   command_line::Command command = gearbox.add_command(
-      "drawing", "The workshop's files of a design, and what is measured of it");
+      "drawing", "Write a design's files for the workshop, and list what is measured of its gears");
   command.add_option("result", options->result_file, "Document of kind gearbox_result").required();
-  command.add_option("--design", options->design, "Which of its designs")
+  command.add_option("--design", options->design, "Which design of the result is drawn")
       .otherwise("1")
       .integer_between(1, 1'000'000);
   command.add_option("--dxf", options->dxf_file, "Write the outlines of all gears to this DXF file")

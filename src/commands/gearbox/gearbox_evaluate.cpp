@@ -215,8 +215,9 @@ void add_evaluate_command(command_line::Command& gearbox) {
       .one_value_each()
       .between(-2.0, 5.0);
   command
-      .add_option("--layer-2-module", options->layer_2_module_mm,
-                  "Module of planet 2 and the output ring, in mm, where it is another")
+      .add_option(
+          "--layer-2-module", options->layer_2_module_mm,
+          "Module of planet 2 and the output ring, in mm, where it differs from the first layer's")
       .otherwise("that of the first layer")
       .between(0.05, 25.0);
   command.add_flag(

@@ -42,7 +42,7 @@ Objective objective_of(const std::string& name) {
   for (const auto& entry : gearbox::kObjectives) {
     names += (names.empty() ? "" : ", ") + std::string(entry.second);
   }
-  io::refuse("--objectives", fmt::format("\"{}\" is none; there are {}", name, names));
+  io::refuse("--objectives", fmt::format("\"{}\" is not an objective; there are {}", name, names));
 }
 
 /// The problem with the first objective.
@@ -104,17 +104,17 @@ ExitCode run_pareto(const ParetoOptions& options) {
 void add_pareto_command(command_line::Command& gearbox) {
   auto options = std::make_shared<ParetoOptions>();
   command_line::Command command = gearbox.add_command(
-      "pareto", "What the best of one quantity costs of another, each point proved");
+      "pareto", "Show what more of one quantity costs of another, each point proved");
   command.add_option("problem", options->problem_file, "Document of kind gearbox_problem")
       .required();
   command
       .add_option("--objectives", options->objectives,
-                  "Two objectives, the best first one for so much of the second")
+                  "Two objectives: each point is the best of the first for a value of the second")
       .otherwise("mass,forward_efficiency")
       .separated_by_commas();
   command
       .add_option("--points", options->points,
-                  "How many points of a problem with synthesis; of whole numbers all are found")
+                  "How many points are found where the problem has synthesis; without it all are")
       .otherwise("8")
       .integer_between(1, 1000);
   command.add_option("--time-limit", options->time_limit_s, "End after so many seconds")

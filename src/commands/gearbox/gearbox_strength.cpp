@@ -131,7 +131,8 @@ void take_torques(const StrengthOptions& options, report::StrengthReport& report
   if (!report.read.load_Nm || *report.read.load_Nm == 0.0) {
     io::refuse("--torque", "missing; only a gearbox_result whose problem has a load states one");
   }
-  if (!options.side.empty()) io::refuse("--side", "is of --torque, which is missing");
+  if (!options.side.empty())
+    io::refuse("--side", "says where --torque acts, and --torque is missing");
   report.side = gearbox::TorqueSide::kJoint;
   report.torques_Nm = {*report.read.load_Nm};
   report.read.statements.push_back(
@@ -176,7 +177,8 @@ ExitCode run_strength(const StrengthOptions& options) {
 
 void add_strength_command(command_line::Command& gearbox) {
   auto options = std::make_shared<StrengthOptions>();
-  command_line::Command command = gearbox.add_command("strength", "What torques do to the teeth");
+  command_line::Command command =
+      gearbox.add_command("strength", "Compute what torques do to the teeth");
   command.add_option("strength", options->file, "Document of kind gear_strength or gearbox_result")
       .required();
   command.add_option("--torque", options->torques_Nm, "Torques that are tried, in Nm: 21,17")

@@ -31,7 +31,8 @@ void refuse_unknown_options(const OptimizeRequest& request) {
   }
   if (request.top != 1) io::refuse("--top", "a synthesis seeks one design");
   if (request.relaxation != "auto") {
-    io::refuse("--relaxation", "a synthesis bounds by enclosures alone");
+    io::refuse("--relaxation",
+               "a synthesis computes bounds by intervals alone; leave the option out");
   }
 }
 

@@ -94,7 +94,7 @@ void add_limit_options(command_line::Command& command, StatedLimits& limits) {
   command
       .add_option("--centre-distance", limits.centre_distance_mm,
                   "How far a planet's pin may be from its place, in mm, either way")
-      .otherwise("js7")
+      .otherwise("js7 of ISO 286-1")
       .between(0.0, 1.0);
   command
       .add_option("--tooth-thickness", limits.tooth_thickness,
@@ -106,29 +106,27 @@ void add_limit_options(command_line::Command& command, StatedLimits& limits) {
   command
       .add_option("--shift-tolerance", limits.profile_shift,
                   "How far profile shifts may be from nominal, in modules, either way")
-      .otherwise("0: it is the teeth's thickness")
+      .otherwise("0, since the thickness of teeth holds it")
       .between(0.0, 1.0);
   command
       .add_option("--tip-tolerance", limits.tip_diameter_mm,
-                  "By how much tip diameters may be less, in mm, of rings more")
-      .otherwise("h8 and H8")
+                  "By how much tip diameters may be smaller, those of rings larger, in mm")
+      .otherwise("h8, of rings H8, of ISO 286-1")
       .between(0.0, 1.0);
 }
 
 void add_demand_options(command_line::Command& command, TolerancesOptions& options) {
   command
       .add_option("--max-backlash", options.max_backlash_rad,
-                  "Backlash of the output that is still good, in rad")
+                  "Greatest backlash of the output of a good gearbox, in rad")
       .otherwise("any")
       .between(0.0, 6.3);
   command
       .add_option("--min-contact-ratio", options.min_contact_ratio,
-                  "Contact ratio that is still good")
+                  "Least contact ratio of a good gearbox")
       .otherwise("the problem's")
       .between(0.0, 3.0);
-  command
-      .add_option("--min-yield", options.min_yield,
-                  "Share of good gearboxes that is asked for, from 0 to 1")
+  command.add_option("--min-yield", options.min_yield, "Share of good gearboxes that is asked for")
       .otherwise("none")
       .between(0.0, 1.0);
 }
@@ -138,19 +136,21 @@ void add_demand_options(command_line::Command& command, TolerancesOptions& optio
 void add_tolerances_command(command_line::Command& gearbox) {
   auto options = std::make_shared<TolerancesOptions>();
   command_line::Command command = gearbox.add_command(
-      "tolerances", "Backlash, contact and clearance of a design as it is made, and the yield");
+      "tolerances", "Compute backlash, contact, clearance and yield of a design as it is made");
   command.add_option("result", options->result_file, "Document of kind gearbox_result").required();
-  command.add_option("--design", options->design, "Which of its designs")
+  command.add_option("--design", options->design, "Which design of the result is taken")
       .otherwise("1")
       .integer_between(1, 1'000'000);
   add_limit_options(command, options->limits);
   add_demand_options(command, *options);
   command.add_option("--draws", options->draws, "How many gearboxes are drawn")
       .integer_between(1, 1'000'000);
-  command.add_option("--seed", options->seed, "Seed of the draws: the same gives the same");
+  command.add_option("--seed", options->seed,
+                     "Seed of the draws; the same seed draws the same gearboxes");
   command
-      .add_option("--distribution", options->distribution,
-                  "How dimensions lie between their limits; normal: limits at three deviations")
+      .add_option(
+          "--distribution", options->distribution,
+          "How dimensions lie between their limits; normal: limits at three standard deviations")
       .one_of({"even", "normal"});
   command.add_option("-o,--output", options->output_file, "Write the report as JSON to this file")
       .names_a_file();

@@ -66,7 +66,7 @@ ExitCode run_verify(const VerifyOptions& options) {
 void add_verify_command(command_line::Command& gearbox) {
   auto options = std::make_shared<VerifyOptions>();
   command_line::Command command =
-      gearbox.add_command("verify", "Check a result's certificate without the solver");
+      gearbox.add_command("verify", "Check the proof in a result again, without the search");
   command.add_option("result", options->result_file, "Document of kind gearbox_result").required();
   command.add_option("-o,--output", options->output_file, "Write the verdict as JSON to this file")
       .names_a_file();

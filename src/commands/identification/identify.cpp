@@ -269,8 +269,8 @@ void add_identify_command(command_line::Command& program) {
       .names_a_file()
       .one_value_each();
   add_report_document(command, *request,
-                      "Write the report as JSON to this file. Without --refined, a file so named "
-                      "gets the actuator, in this version only");
+                      "Write the report as JSON to this file. In this version, without --refined "
+                      "it gets the refined actuator instead");
   command.add_option("--report", request->report_file, "Write the report with pictures, as HTML")
       .names_a_file();
   command

@@ -108,8 +108,9 @@ ExitCode run_import(const ImportOptions& options) {
                   log.runs.size() == 1 ? "" : "s", io::name_in_text(rig), log.columns.size());
   for (const std::string& note : log.notes) said += "note: " + note + "\n";
   if (!log.load && log.loads.empty()) {
-    said += fmt::format("next: state in {} what the actuator moved (\"load\"{}), docs/logs.md\n",
-                        io::name_in_text(rig), has_joints(log) ? "; or identify --robot FILE" : "");
+    said +=
+        fmt::format("next: state in {} what the actuator moved (\"load\"{}); see docs/logs.md\n",
+                    io::name_in_text(rig), has_joints(log) ? "; or identify --robot FILE" : "");
   }
   print_result(for_window(said));
   return ExitCode::kPasses;

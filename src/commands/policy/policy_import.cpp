@@ -130,8 +130,8 @@ void set_names(const PolicyImportOptions& options, hopper::PolicyDocument& docum
   const auto require_count = [&](const char* option, std::size_t named, std::size_t are,
                                  const char* what) {
     if (named == are) return;
-    io::refuse(option,
-               fmt::format("{} names, where {} has {} {}", named, options.onnx_file, are, what));
+    io::refuse(option, fmt::format("has {} names, where {} has {} {}: name each, in its order",
+                                   named, options.onnx_file, are, what));
   };
   require_count("--observations", document.inputs.size(), inputs, "inputs");
   require_count("--actions", document.outputs.size(), outputs, "outputs");
@@ -176,12 +176,12 @@ void add_names(command_line::Command& command, PolicyImportOptions& options) {
       .otherwise("those of --like");
   command
       .add_option("--actions", options.actions,
-                  "What it asks for, in its order: knee_target_rad,...")
+                  "What the policy asks for, in its order: knee_target_rad,...")
       .separated_by_commas()
       .otherwise("those of --like");
   command
       .add_option("--offset", options.offsets,
-                  "Asked for where the network says 0, one for each action or one for all")
+                  "What is asked for where the network says 0, one for each action or one for all")
       .separated_by_commas()
       .otherwise("those of --like, else 0");
   command
@@ -215,8 +215,8 @@ void add_policy_import_command(command_line::Command& policy) {
   command.add_option("--node", options->node, "Name of the model's output").otherwise("its first");
   command
       .add_option("--like", options->like_file,
-                  "Document of kind policy whose names, gains and control period hold, but for "
-                  "those that are given here")
+                  "Document of kind policy whose names, gains and control period hold where none "
+                  "are given here")
       .otherwise("none, and all is given here");
   add_names(command, *options);
   add_gains(command, *options);

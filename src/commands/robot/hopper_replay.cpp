@@ -193,7 +193,7 @@ std::optional<hopper::ReadRandomisation> read_trials(const HopperReplayRequest& 
     io::refuse("--explain", "is of many trials, and --trial runs one alone");
   }
   if (request.only_trial >= static_cast<std::int64_t>(request.trials)) {
-    io::refuse("--trial", fmt::format("{} is none of the trials 0 to {}", request.only_trial,
+    io::refuse("--trial", fmt::format("{} is not one of the trials 0 to {}", request.only_trial,
                                       request.trials - 1));
   }
   hopper::ReadRandomisation read = hopper::read_randomisation(request.randomise_file);

@@ -221,8 +221,8 @@ std::string compute(const ImportOptions& options, const hopper::LimitDrives& mad
       std::filesystem::absolute(options.drive_folder), place_of(options).parent_path());
   imported.notes.insert(imported.notes.end(), made.notes.begin(), made.notes.end());
   imported.notes.push_back(fmt::format(
-      "{} joints are driven by {} drives of their limits in {}: what the file says of torque and "
-      "speed, no winding, no heat",
+      "{} joints are driven by {} drives that are made of their limits in {}: these hold what the "
+      "file says of torque and speed, and neither winding nor heat",
       made.assignments.size() + made.in_loops.size(), made.drives.size(),
       io::name_in_text(options.drive_folder)));
   return hopper::with_limit_drives(made, seen == "." ? "" : seen.generic_string(), robot);
@@ -325,7 +325,7 @@ void add_import_command(command_line::Command& robot) {
       .add_option("--actuators", options->drive_folder,
                   "Write an actuator for each joint's limits of torque and speed to this folder, "
                   "and let it drive the joint")
-      .otherwise("limits are no drives");
+      .otherwise("no drives are made of limits");
   command.add_option("-o,--output", options->output_file, "Write the document to this file")
       .otherwise("-, standard output")
       .names_a_file();

@@ -64,8 +64,8 @@ ExitCode run_patch(const PatchOptions& options) {
   const hopper::PatchedFile patched = hopper::patched_file(options.robot_file, before, drives);
   check_written(named({options.output_file}), {options.robot_file});
   const std::size_t count = patched.joints.size();
-  std::string text =
-      fmt::format("{}: {} {}\n", options.robot_file, count, count == 1 ? "joint" : "joints");
+  std::string text = fmt::format("{}: {} {}\n", options.robot_file, count,
+                                 count == 1 ? "joint changes" : "joints change");
   for (const hopper::PatchedDrive& each : drives) text += numbers_line(each);
   text += hopper::line_difference(before, patched.text);
   for (const std::string& note : patched.notes) text += "note: " + note + "\n";
@@ -91,7 +91,7 @@ void add_patch_command(command_line::Command& robot) {
       .required();
   command
       .add_option("-o,--output", options->output_file,
-                  "Write the patched file to this file; what changes is printed")
+                  "Write the patched file to this file; the lines that change are printed anyway")
       .otherwise("nothing is written")
       .names_a_file();
   command.example(

@@ -59,8 +59,9 @@ const hopper::Drivetrain& chosen(const hopper::Robot& robot, const WorkspaceOpti
     }
   }
   if (joints.empty()) {
-    io::refuse(options.robot_file,
-               "has no mechanism that moves two joints: a joint alone has its range_rad");
+    io::refuse(
+        options.robot_file,
+        "has no mechanism that moves two joints: where a joint alone can stand is its range_rad");
   }
   if (found.size() == 1) return *found.front();
   io::refuse("--joint", options.joint.empty()

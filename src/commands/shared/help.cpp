@@ -81,8 +81,8 @@ void add_help_command(command_line::Command& program) {
 
 void add_man_command(command_line::Command& program) {
   auto options = std::make_shared<HelpOptions>();
-  command_line::Command command =
-      program.add_command("man", "Print the same as a page for man: torquewright man | man -l -");
+  command_line::Command command = program.add_command(
+      "man", "Print a command's help as a page for man: torquewright man | man -l -");
   command.add_option("command", options->words, "Words of the command, such as gearbox optimize");
   command.add_option("-o,--output", options->output_file, "Write the page to this file")
       .otherwise("-, standard output")

@@ -344,9 +344,10 @@ bool takes_bound(std::string_view pointer) {
 
 /// With the unit as it was typed.
 std::string message_of(const io::Fault& fault, const Typed& typed) {
-  const std::string spelt = fmt::format("\"{}\" is none of", typed.unit);
+  const std::string spelt = fmt::format("\"{}\" is not one of", typed.unit);
   if (!fault.message.starts_with(spelt)) return fault.message;
-  return fmt::format("\"{}\" is none of{}", typed.typed_unit, fault.message.substr(spelt.size()));
+  return fmt::format("\"{}\" is not one of{}", typed.typed_unit,
+                     fault.message.substr(spelt.size()));
 }
 
 std::optional<std::string> objection(const SheetQuestion& question, const std::string& answer) {

@@ -108,7 +108,7 @@ std::string ring_blank_text(const Problem& problem, const DesignReport& report) 
   const bool is_inside = report.ring_blank_diameter_mm <= bore_mm;
   const auto& stated = problem.ring_outer_diameter_mm;
   return fmt::format("{:.4g} mm, {} the rotor's bore of {:.4g} mm{}", report.ring_blank_diameter_mm,
-                     is_inside ? "fits into" : "DOES NOT FIT into", bore_mm,
+                     is_inside ? "fits into" : "does not fit into", bore_mm,
                      stated ? fmt::format("; {:.4g} mm are stated", io::nearest(*stated)) : "");
 }
 
@@ -141,9 +141,10 @@ std::string torque_text(const Problem& problem, const DesignReport& report) {
                                                                *report.backdriven_torque_Nm)));
   }
   if (report.planet_tilting_force_N) {
-    text += line("tilting force", fmt::format("{:.4g} N per planet, times the distance of the "
-                                              "layers' mid-planes",
-                                              *report.planet_tilting_force_N));
+    text += line("tilting force",
+                 fmt::format("{:.4g} N per planet; times the distance of the layers' mid-planes "
+                             "they are the couple that tilts it",
+                             *report.planet_tilting_force_N));
   }
   return text;
 }
@@ -192,8 +193,9 @@ std::string loss_form_line(const Problem& problem, const DesignReport& report) {
   if (report.forward_efficiency == 0.0) return "";
   const TrainEfficiency other = short_form_efficiency(problem.topology, report);
   return fmt::format(
-      "  loss integral: general form, pairs in contact share the load alike; the short form (e_A^2 "
-      "+ e_R^2 - e_A - e_R + 1) would give forward {:.4f}, backward {}\n",
+      "  losses: by the general integral, pairs in contact share the load alike; the short form "
+      "(e_A^2 + e_R^2 - e_A - e_R + 1, of the parts of the contact ratio) would give forward "
+      "{:.4f}, backward {}\n",
       other.forward, other.backward > 0.0 ? fmt::format("{:.4f}", other.backward) : "none");
 }
 
@@ -304,7 +306,7 @@ std::string next_text(const std::string& problem_file, const Problem& problem) {
   if (problem.face_width_mm.empty()) more += " --face-width MM";
   if (!problem.load_output_torque_Nm) more += " --torque NM";
   return fmt::format(
-      "next: torquewright gearbox optimize {} --all; -o RESULT.json, then torquewright gearbox "
+      "next: torquewright gearbox optimize {} --all; or -o RESULT.json, then torquewright gearbox "
       "strength RESULT.json{}\n",
       shell_word(problem_file), more);
 }

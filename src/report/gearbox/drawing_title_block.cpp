@@ -121,7 +121,7 @@ std::string title_block(const DrawingLayout& layout) {
   for (const std::string& line : lines) svg += svg_text("note", {x_mm, y_mm += 6.0}, line);
   if (!layout.drawing.cannot_exist.empty()) {
     const std::string names = fmt::format("{}", fmt::join(layout.drawing.cannot_exist, ", "));
-    svg += svg_text("strong", {x_mm, y_mm += 6.0}, "CANNOT EXIST: " + short_name(names));
+    svg += svg_text("strong", {x_mm, y_mm += 6.0}, "cannot exist: " + short_name(names));
   }
   const double right_mm = block_x_mm + kBlockWidth_mm - 66.0;
   svg += svg_text("strong", {right_mm, kTableTop_mm + 19.0},

@@ -86,11 +86,11 @@ std::string front_text(const Problem& problem, const gearbox::ShownFront& shown)
   const Front& front = shown.front;
   if (front.points.empty()) {
     return front.is_whole ? "infeasible: no design satisfies all constraints.\n"
-                          : "limit: ended before a point was found.\n";
+                          : "limit: the search ended before it found a point.\n";
   }
   const std::string_view first = objective_name(shown.first), second = objective_name(shown.second);
   std::string text = fmt::format(
-      "{}: {} of {} against {}, each proved.\n",
+      "{}: {} of the front of {} against {}, each proved.\n",
       front.is_whole ? (problem.synthesis ? "sampled" : "whole") : "limit",
       front.points.size() == 1 ? "1 point" : fmt::format("{} points", front.points.size()), first,
       second);

@@ -22,8 +22,8 @@ std::string assumed_text(const Problem& problem) {
 
 std::string proof_text(const DesignSearchResult& result) {
   return fmt::format(
-      "Search: {} boxes (parts of the space of designs), {} of {} Ipopt solves closed theirs, {} "
-      "designs looked at.\n",
+      "Search: {} boxes (parts of the space of designs) were searched; {} of {} solves by Ipopt "
+      "closed one; {} designs were looked at.\n",
       result.search.nodes, result.search.refuted_by_relaxation, result.search.relaxations,
       result.search.points_enumerated);
 }
@@ -48,7 +48,8 @@ std::string infeasible_text(const Problem& problem, const DesignSearchResult& re
                     *ring_limit);
   }
   if (result.would_be_feasible_with.empty()) {
-    return text + "No single bound, as loose as a document may ask, makes the problem feasible.\n";
+    return text +
+           "No single bound makes the problem feasible, not even as loose as a document may ask.\n";
   }
   text += "It would be feasible with any one of these:\n";
   for (const LooserBound& bound : result.would_be_feasible_with) {
@@ -83,7 +84,7 @@ std::string optimal_when_text(const Topology& topology, const Standing& standing
       "min_carrier_clearance_rad\n";
   for (const OptimalWhen& when : standing.optimal_when) {
     text += "  " + range_text(when);
-    if (when.least_minima.empty()) text += ": no minima make it so";
+    if (when.least_minima.empty()) text += ": it never is, whatever the minima";
     for (std::size_t i = 0; i < when.least_minima.size(); ++i) {
       text +=
           fmt::format("{}{}", i == 0 ? ": " : "; or ", minima_text(topology, when.least_minima[i]));
@@ -101,8 +102,9 @@ std::string never_optimal_text(const DesignReport& report) {
                            (constraint.name == "carrier_clearance" && constraint.value >= 0.0);
     if (!constraint.satisfied && !is_choice) names.push_back(constraint.name);
   }
-  return fmt::format("No minima and no carrier clearance would make it the optimum{}{}.\n",
-                     names.empty() ? "" : ": it violates ", fmt::join(names, ", "));
+  return fmt::format(
+      "No other min_teeth or min_carrier_clearance_rad would make it the optimum{}{}.\n",
+      names.empty() ? "" : ": it violates ", fmt::join(names, ", "));
 }
 
 // "Rank 2 of 5 feasible designs by mass", as far as it is known.
@@ -117,7 +119,7 @@ std::string ranked_text(const Problem& problem, const Standing& standing) {
 }
 
 std::string unranked_text(const Standing& standing) {
-  const std::string text = "It has no rank, being infeasible";
+  const std::string text = "An infeasible design has no rank";
   if (!standing.feasible_count) return text;
   return text + (standing.feasible_count == 1
                      ? "; 1 design is feasible"
@@ -161,7 +163,7 @@ std::string optimization_text(const Problem& problem, const DesignSearchResult& 
                          ? "optimal: proved, nothing is better.\n"
                          : fmt::format("{}.\n", ended_text(result));
   text += fmt::format("Held fixed: {}.\n", held_fixed(problem));
-  if (has_all) text += "Not asked: strength; what the teeth bear stands with each design.\n";
+  if (has_all) text += "Not asked: strength; each design says what its teeth bear.\n";
   const Topology& topology = *find_topology(problem.topology);
   for (std::size_t i = 0; i < result.designs.size(); ++i) {
     DesignReport report = topology.evaluate(problem, result.designs[i]);

@@ -10,16 +10,15 @@ using gearbox::Verification;
 
 std::string counts_text(const gearbox::proof::Counts& counts) {
   return fmt::format(
-      "  {} boxes (parts of the space of designs), {} cuts, {} splits; leaves: {} empty, {} "
-      "enumerated ({} designs), {} by relaxation, {} open\n",
+      "  {} boxes (parts of the space of designs), cut {} times, split {} times; left at the end: "
+      "{} empty, {} enumerated ({} designs), {} closed by a relaxation, {} open\n",
       counts.nodes, counts.cuts, counts.splits, counts.empty_leaves, counts.enumerated_leaves,
       counts.enumerated_points, counts.relaxation_leaves, counts.open_leaves);
 }
 
 std::string verdict_words(const Verification& found) {
   if (found.is_ended) {
-    return fmt::format("ended before the proof was checked to its end: {} of its boxes were.\n",
-                       found.counts.nodes);
+    return fmt::format("ended: only {} boxes of the proof were checked.\n", found.counts.nodes);
   }
   if (found.is_accepted) {
     return fmt::format(
@@ -28,7 +27,7 @@ std::string verdict_words(const Verification& found) {
         found.is_undecided ? ", as undecided" : "", found.claim, counts_text(found.counts));
   }
   if (found.is_proved) {
-    return "rejected: the proof is valid, but what the result says beside it is not so:\n";
+    return "rejected: the proof is valid, but the result says more that is not true:\n";
   }
   return "rejected: the result is not proved:\n";
 }

@@ -83,7 +83,7 @@ std::string torque_text(const StrengthReport& report, double torque_Nm) {
   const auto loads = gearbox::tooth_loads(strength, sun_Nm);
   std::string text = fmt::format(
       "\n{}: {}\n", both_sides(strength.train, sun_Nm),
-      gearbox::has_demanded_safety(strength, loads) ? "borne" : "BELOW the demanded safety");
+      gearbox::has_demanded_safety(strength, loads) ? "borne" : "below the demanded safety");
   text +=
       fmt::format("  {:<12} {:<21} {:>8} {:>9} {:>7} {:>7} {:>11} {:>7} {:>7}\n", "gear", "mesh",
                   "force N", "root MPa", "S_F 1", "S_F N", "contact MPa", "S_H 1", "S_H N");
@@ -171,8 +171,8 @@ std::string strength_text(const StrengthReport& report) {
                         fmt::join(report.read.assumed, ", "));
   }
   text += fmt::format(
-      "Forces are the mean planet's; S_F and S_H are safeties of root and flank "
-      "against 1 load and N = {:.6g}.\n",
+      "Forces are those of the mean planet. S_F and S_H are the safeties of root and flank: \"1\" "
+      "against a single load, \"N\" against {:.6g} loads.\n",
       strength.cycles);
   text += cutter_line(strength) + rim_line(strength);
   for (const double torque_Nm : report.torques_Nm) text += torque_text(report, torque_Nm);

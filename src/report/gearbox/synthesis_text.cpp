@@ -59,12 +59,11 @@ std::string not_asked_text(bool has_all) {
 
 std::string search_text(const SynthesisResult& result) {
   std::string text = fmt::format(
-      "Search: {} choices of teeth, planets and modules meet ratio and assembly, {} were opened, "
-      "{} "
-      "boxes (parts of the space of sizes).\n",
+      "Search: {} choices of teeth, planets and modules meet ratio and assembly; {} of them were "
+      "opened; {} boxes (parts of the space of sizes) were searched.\n",
       result.choices, result.opened, result.boxes);
   for (const auto& [name, count] : result.excluded_by) {
-    text += fmt::format("  {} of them excluded by {} alone\n", count, name);
+    text += fmt::format("  {} of them are excluded by {} alone\n", count, name);
   }
   return text;
 }
@@ -74,10 +73,10 @@ std::string conflict_text(const SynthesisResult& result) {
   if (result.status != SynthesisStatus::kInfeasible) return "";
   if (!result.conflict) return "What conflicts was not settled in time.\n";
   if (result.conflict->empty()) {
-    return "No load, face width, floor or ceiling is to blame: without any of them there is none "
-           "either.\n";
+    return "No load, face width, floor or ceiling is to blame: without all of them there is no "
+           "design either.\n";
   }
-  std::string text = "These conflict, none of them to spare:\n";
+  std::string text = "These conflict, and would not without any one of them:\n";
   for (const ConflictMember& member : *result.conflict) {
     text += fmt::format("  {}: {}\n", member.constraint, member.sentence);
   }

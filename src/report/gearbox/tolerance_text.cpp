@@ -29,7 +29,8 @@ std::string percent(double share) { return fmt::format("{:.2f} %", 100.0 * share
 std::string yield_text(const ToleranceReport& report) {
   const hopper::ShareInterval interval = report.yield_interval();
   std::string text = fmt::format(
-      "yield {} ({} to {}, 95 %): {} of {} gearboxes drawn, seed {}, {} between limits\n",
+      "yield {} ({} to {} with 95 % confidence): {} of {} drawn gearboxes are good (seed {}, {} "
+      "distribution between limits)\n",
       percent(report.yield()), percent(interval.least), percent(interval.greatest),
       report.drawn.good, report.drawn.builds, report.options.seed,
       report.options.distribution == Distribution::kEven ? "even" : "normal");
@@ -37,9 +38,9 @@ std::string yield_text(const ToleranceReport& report) {
     case YieldVerdict::kReached:
       return text + fmt::format("at least {} are asked for: reached\n", percent(*report.min_yield));
     case YieldVerdict::kMissed:
-      return text + fmt::format("at least {} are asked for: MISSED\n", percent(*report.min_yield));
+      return text + fmt::format("at least {} are asked for: missed\n", percent(*report.min_yield));
     case YieldVerdict::kOpen:
-      return text + fmt::format("at least {} are asked for: open, needs more --draws\n",
+      return text + fmt::format("at least {} are asked for: undecided, more --draws would tell\n",
                                 percent(*report.min_yield));
     case YieldVerdict::kNone:
       break;
@@ -52,7 +53,7 @@ std::string missed_text(const ToleranceReport& report) {
     return count == 0 ? "" : fmt::format("  {:>6} {}\n", count, what);
   };
   const MissedDemands& missed = report.drawn.missed;
-  return line(missed.backlash, "bind: a mesh without backlash") +
+  return line(missed.backlash, "bind: a mesh of theirs has no backlash") +
          line(missed.contact_ratio,
               fmt::format("have a contact ratio below {:g}", report.demands.min_contact_ratio)) +
          line(missed.tip_clearance, "have a tip that reaches a root") +
@@ -68,8 +69,8 @@ std::string row(const std::string& what, const std::string& unit, const WorstCas
 }
 
 std::string table(const ToleranceReport& report) {
-  std::string text = fmt::format("  {:<39} {:>10}{:>10}{:>10}{:>10}{:>10}\n", "", "worst", "5 %",
-                                 "median", "95 %", "worst");
+  std::string text = fmt::format("  {:<39} {:>10}{:>10}{:>10}{:>10}{:>10}\n", "", "least", "5 %",
+                                 "median", "95 %", "greatest");
   for (std::size_t i = 0; i < report.meshes.size(); ++i) {
     const std::string name(report.train.cut.meshes[i].name);
     text += row("backlash " + name, "mm", report.meshes[i].backlash_mm,
@@ -98,7 +99,8 @@ std::vector<std::size_t> by_share(const ToleranceReport& report) {
 }
 
 std::string limits_text(const ToleranceReport& report) {
-  std::string text = "limits, and their shares in the variance of the output's backlash\n";
+  std::string text =
+      "Limits of parts, and the share of each in the variance of the output's backlash:\n";
   bool is_any_assumed = false;
   for (const std::size_t i : by_share(report)) {
     const PartLimit& limit = report.train.limits[i];
@@ -120,8 +122,8 @@ std::string tolerance_text(const ToleranceReport& report) {
                      train.layer_2_module_mm ? fmt::format(" and {:g} mm", *train.layer_2_module_mm)
                                              : std::string()) +
          table(report) +
-         "  Of each gearbox the worst planet. Backlash of meshes along the line of action; worst "
-         "cases are parts at their limits.\n" +
+         "  Each gearbox counts by its worst planet. Least and greatest are of parts at their "
+         "limits. Backlash of meshes is along the line of action.\n" +
          limits_text(report);
 }
 

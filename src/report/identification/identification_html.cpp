@@ -116,7 +116,7 @@ std::string rejections(const EquationResult& equation) {
 std::string groups(const EquationResult& equation) {
   std::vector<std::string> items;
   for (const Confounded& group : equation.confounded) {
-    items.push_back(fmt::format("{}: {}. Separated by {}. {}",
+    items.push_back(fmt::format("{}: {}. Would be separated by {}. {}",
                                 group.exact ? "The same on every such rig" : "Not told apart",
                                 alternatives(group.effects), group.separated_by,
                                 group.consequence));
@@ -189,11 +189,11 @@ std::string equation_section(const EquationResult& equation, const Identificatio
       only_confirms(equation) ? "<span class=\"soft\">simulated, no verdict of its own</span>"
                               : badge(equation.verdict));
   if (!equation.unusable.empty()) return text + paragraph(equation.unusable) + "</section>\n";
-  text += paragraph(
-      fmt::format("Counted {}: {} rms on held-out runs, {} on fitted ones; noise floor {}.",
-                  band_words(equation), rms_text(equation.before.holdout_rms, equation.unit),
-                  rms_text(equation.before.train_rms, equation.unit),
-                  rms_text(equation.noise_floor_rms, equation.unit)));
+  text += paragraph(fmt::format(
+      "The residual {} is {} rms on held-out runs, {} on fitted ones; the noise floor is {}.",
+      band_words(equation), rms_text(equation.before.holdout_rms, equation.unit),
+      rms_text(equation.before.train_rms, equation.unit),
+      rms_text(equation.noise_floor_rms, equation.unit)));
   if (select)
     text += pictures.draw(waterfall_plot(equation),
                           "Error on runs that were not fitted, after each effect") +

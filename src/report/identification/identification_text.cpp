@@ -64,14 +64,14 @@ std::string coordinates(const std::vector<ResidualStructure>& structures) {
   std::vector<std::string> parts;
   for (const ResidualStructure& each : significant_of(structures)) {
     if (parts.size() == kMostCoordinates) break;
-    parts.push_back(fmt::format("{} {:.0f} %", name_of_coordinate(each), 100.0 * each.share));
+    parts.push_back(fmt::format("{} ({:.0f} %)", name_of_coordinate(each), 100.0 * each.share));
   }
   return parts.empty() ? "no coordinate beyond chance" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::string evidence_lines(const EquationResult& equation) {
-  std::string text =
-      line("4 evidence", "of the residual along " + coordinates(equation.structure_before));
+  std::string text = line(
+      "4 evidence", "the residual's square varies with " + coordinates(equation.structure_before));
   if (!equation.not_excited.empty()) {
     text += line(
         "", fmt::format("not excited, so not judged: {}", fmt::join(equation.not_excited, ", ")));
@@ -120,7 +120,7 @@ std::string run_lines(const EquationResult& equation) {
   }
   const std::size_t others = equation.runs.size() - runs.size();
   const std::string more =
-      others > 0 ? fmt::format("; less is left of {} more, see --json", others) : std::string();
+      others > 0 ? fmt::format("; less is left in {} more runs (--json)", others) : std::string();
   return line("", fmt::format("by run: {}{}", fmt::join(parts, ", "), more));
 }
 
@@ -129,11 +129,12 @@ std::string model_lines(const EquationResult& equation) {
   std::string text;
   for (std::size_t i = 1; i < std::min(1 + kMostRivals, equation.models.size()); ++i) {
     const ModelWithinNoise& model = equation.models[i];
-    text += line("", fmt::format("within the noise: {}: {}; decided by {}", name_of_model(model),
+    text += line("", fmt::format("within the noise as well: {}: {}; would be decided by {}",
+                                 name_of_model(model),
                                  rms(shown_error(model.errors), equation.unit), model.decided_by));
   }
   if (equation.models.size() > 1 + kMostRivals) {
-    text += line("", fmt::format("within the noise: {} more, see --json",
+    text += line("", fmt::format("within the noise as well: {} more (--json)",
                                  equation.models.size() - 1 - kMostRivals));
   }
   return text;
@@ -181,12 +182,13 @@ std::string rejection_lines(const EquationResult& equation) {
     text += line("", fmt::format("rejected: {}: {}", rejected[i].effect, rejected[i].reason));
   }
   if (shown < rejected.size()) {
-    text += line("", fmt::format("rejected: {} more, see --json", rejected.size() - shown));
+    text += line("", fmt::format("rejected: {} more (--json)", rejected.size() - shown));
   }
   for (const Confounded& group : equation.confounded) {
-    text += line("", fmt::format("{}: {}", group.exact ? "same on every such rig" : "cannot tell",
+    text += line("", fmt::format("{}: {}",
+                                 group.exact ? "the same on every such rig" : "the log cannot tell",
                                  alternatives(group.effects)));
-    text += line("", fmt::format("  separated by {}", group.separated_by));
+    text += line("", fmt::format("  would be separated by {}", group.separated_by));
     if (!group.consequence.empty()) text += line("", "  " + group.consequence);
   }
   return text;
@@ -194,9 +196,9 @@ std::string rejection_lines(const EquationResult& equation) {
 
 std::string left_line(const EquationResult& equation) {
   if (equation.is_noise_after) return line("", "left: noise");
-  return line("",
-              fmt::format("left: {} rms, along {}", rms(shown_error(equation.after), equation.unit),
-                          coordinates(equation.structure_after)));
+  return line("", fmt::format("left: {} rms, whose square varies with {}",
+                              rms(shown_error(equation.after), equation.unit),
+                              coordinates(equation.structure_after)));
 }
 
 std::string equation_text(const EquationResult& equation, bool select, bool is_only) {
@@ -241,9 +243,10 @@ std::string refined_lines(const Identification& found, const IdentificationConte
   }
   if (!text.empty() && !context.as_written.empty()) text += line("", context.as_written);
   if (!text.empty() && context.is_fitted_by_simulation)
-    text += line("",
-                 "with the values that the simulation fitted to the drives; those of bodies and "
-                 "encoders are in the report alone");
+    text +=
+        line("",
+             "it holds the values that the simulation fitted to the drives; those of bodies and "
+             "encoders are in the report alone");
   const bool is_sure =
       context.is_fitted_by_simulation || identification::has_anything_to_write(found);
   if (text.empty()) {
@@ -269,9 +272,10 @@ std::string headline(const Identification& found, const IdentificationContext& c
   const std::string logs = context.log_files.size() > 2
                                ? fmt::format("{} logs", context.log_files.size())
                                : fmt::format("{}", fmt::join(context.log_files, ", "));
-  std::string text = fmt::format(
-      "{} on {}: {}\n{}\n", logs, context.rig_name.empty() ? context.rig_file : context.rig_name,
-      identification::name_of(found.verdict), verdict_sentence(found, context.select));
+  std::string text =
+      fmt::format("{} on \"{}\": {}\n{}\n", logs,
+                  context.rig_name.empty() ? context.rig_file : context.rig_name,
+                  identification::name_of(found.verdict), verdict_sentence(found, context.select));
   const std::string not_asked = not_asked_sentence(found);
   if (!not_asked.empty()) text += not_asked + "\n";
   if (!context.select || found.leading >= found.equations.size()) return text;

@@ -172,7 +172,7 @@ std::string written_sentence(const Identification& found, const Identification& 
     for (const NamedEffect* effect : written_of(each)) {
       const std::vector<std::string> others = undecided_with(each, effect->effect);
       if (others.empty()) continue;
-      text += fmt::format("; {} stands in it undecided, it may be {}", effect->effect,
+      text += fmt::format("; it holds {}, which is not sure: it may be {}", effect->effect,
                           alternatives(others));
     }
   }

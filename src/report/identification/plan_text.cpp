@@ -25,7 +25,7 @@ std::string parameter_text(const PlannedParameter& each) {
       each.chirp.share);
   if (!each.is_separable) {
     const bool is_its_own = each.plan.nearest == each.column.effect;
-    text += fmt::format("  not separable by this plan: nearest is {}; what would: {}.\n",
+    text += fmt::format("  This plan does not separate it from {}. What would: {}.\n",
                         is_its_own ? "its own " + each.plan.nearest_parameter : each.plan.nearest,
                         each.remedy);
   }
@@ -35,25 +35,28 @@ std::string parameter_text(const PlannedParameter& each) {
 }  // namespace
 
 std::string plan_text(const Plan& plan, const identification::PlanOptions& options) {
-  std::string text =
-      fmt::format("An excitation of {:g} s in {} run(s), beside a plain chirp as long.\n",
-                  options.duration_s, plan.runs.size());
+  std::string text = fmt::format(
+      "The excitation lasts {:g} s in {} run(s); in brackets stands a plain chirp as "
+      "long.\nSeparability is 1 where nothing else acts like the parameter, 0 where "
+      "something does.\n",
+      options.duration_s, plan.runs.size());
   for (const PlannedParameter& each : plan.parameters) text += parameter_text(each);
   text +=
-      "Made for the parameter that is worst off; others may have smaller errors by the chirp.\n";
-  text += fmt::format("Smallest eigenvalue of the scaled information: {:.3g} ({:.3g}).\n",
+      "The plan is made for the parameter that is worst off; the chirp may give others smaller "
+      "errors.\n";
+  text += fmt::format("The smallest eigenvalue of the scaled information is {:.3g} ({:.3g}).\n",
                       plan.smallest_eigenvalue, plan.chirp_smallest_eigenvalue);
   for (const Plan::Unseen& each : plan.unseen) {
     text += fmt::format("{}: {}. What would separate it: {}.\n", io::listed(each.effects), each.why,
                         each.remedy);
   }
-  text += "White noise assumed:";
+  text += "White noise is assumed, by its standard deviation:";
   for (const auto& [quantity, sigma] : plan.noise) {
     text += fmt::format(" {} {:.3g}", identification::name_of(quantity), sigma);
   }
   text += fmt::format(
-      ".\nThe best of {} tried, from seed {}; every sample of the nominal actuator is inside its "
-      "region.\n",
+      ".\nThis is the best of {} that were tried, from seed {}; every sample of the nominal "
+      "actuator is inside its region.\n",
       plan.tried, options.seed);
   text += plan.is_separable() ? "The effects are separable.\n"
                               : "Not all of the effects are separable on this rig.\n";

@@ -26,7 +26,7 @@ std::string end_lines(const Motion& motion, const ReplayResult& result) {
   }
   text += "  end      " + end_words(motion, result.outcome) + "\n";
   for (const Deed& deed : result.outcome.deeds) {
-    text += fmt::format("  {:<7}  {}\n", deed.is_done ? "did" : "MISSED", deed_words(deed));
+    text += fmt::format("  {:<7}  {}\n", deed.is_done ? "did" : "missed", deed_words(deed));
   }
   return text;
 }

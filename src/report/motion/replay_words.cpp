@@ -86,7 +86,7 @@ std::string ground_words(const TouchDownLoad& load) {
 std::string end_words(const Motion& motion, const ReplayOutcome& outcome) {
   const double after_s = outcome.end_s - motion.times_s.back();
   const std::string text = fmt::format(
-      "t = {:.4f} s, {:.4g} s {} the motion's; feet at rest for {:.3g} s", outcome.end_s,
+      "t = {:.4f} s, {:.4g} s {} the motion's end; feet at rest for {:.3g} s", outcome.end_s,
       std::abs(after_s), after_s < 0.0 ? "before" : "after", outcome.foot_at_rest_s);
   return text + (outcome.reason.empty() ? "" : ": " + outcome.reason);
 }
@@ -116,8 +116,8 @@ std::string rate_words(const ReplayTrials& trials) {
   const TrialCounts counts = trials.counts();
   const ShareInterval interval = success_interval(counts);
   return fmt::format(
-      "{} of {} randomised trials did it and stand: {:.1f} %, with 95 % between {:.1f} and {:.1f} "
-      "% (seed {})",
+      "{} of {} randomised trials did it and stand: {:.1f} %, between {:.1f} and {:.1f} % with 95 "
+      "% confidence (seed {})",
       counts.succeeded, counts.done(),
       counts.done() > 0
           ? 100.0 * static_cast<double>(counts.succeeded) / static_cast<double>(counts.done())

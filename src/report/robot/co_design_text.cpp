@@ -106,16 +106,16 @@ std::string failing_text(const CoDesign& design, bool all) {
                         pair.result.name, pair.result.why);
   }
   if (count > kShownFailing) {
-    rows += fmt::format("  ... and {} more, with --all\n", count - kShownFailing);
+    rows += fmt::format("  ... and {} more (--all)\n", count - kShownFailing);
   }
-  return rows.empty() ? "" : "pairs that do not, the closest first\n" + rows;
+  return rows.empty() ? "" : "pairs that do not do the motion, the closest first\n" + rows;
 }
 
 std::string pruned_text(const CoDesignQuestion& question, const CoDesign& design, bool all) {
   if (design.pruned.empty()) return "";
   std::string text = fmt::format(
-      "{} not searched: not even gears that lose nothing on the way out and weigh nothing would "
-      "do, whether they bear nearly all on the way back or nothing\n",
+      "Not searched: {}; not even gears that weigh nothing and lose nothing forwards would do, "
+      "whether backwards they pass nearly all or nothing\n",
       design.pruned.size() == 1 ? "1 pair" : fmt::format("{} pairs", design.pruned.size()));
   for (std::size_t i = 0; i < design.pruned.size() && (all || i < kShownFailing); ++i) {
     const PrunedPair& pair = design.pruned[i];
@@ -125,7 +125,7 @@ std::string pruned_text(const CoDesignQuestion& question, const CoDesign& design
                         pair.why);
   }
   if (!all && design.pruned.size() > kShownFailing) {
-    text += fmt::format("  ... and {} more, with --all\n", design.pruned.size() - kShownFailing);
+    text += fmt::format("  ... and {} more (--all)\n", design.pruned.size() - kShownFailing);
   }
   return text;
 }
@@ -150,7 +150,7 @@ std::string co_design_text(const Robot& robot, const CoDesignQuestion& question,
     if (all) text += fmt::format("left out: {}\n", sentence);
   }
   if (!all && !question.shelf.left_out.empty()) {
-    text += fmt::format("left out: {} drives that are no motors by themselves, named with --all\n",
+    text += fmt::format("left out: {} drives that are no motors by themselves (--all names them)\n",
                         question.shelf.left_out.size());
   }
   if (!question.problem.assumed.empty()) {

@@ -183,22 +183,23 @@ INSTANTIATE_TEST_SUITE_P(
                      "line 2, column 2 (b): text stands behind the closing quote"},
         MistakenText{std::string("a,b\n1,\0\n", 8),
                      "line 2: holds bytes that are no text; save it as UTF-8"},
-        MistakenText{std::string("\xFF\xFE"
-                                 "a\0,\0",
-                                 6),
-                     "is no CSV but text in UTF-16, which spreadsheets call Unicode text: iconv -f "
-                     "utf-16 -t utf-8 FILE > FILE.csv"}));
+        MistakenText{
+            std::string("\xFF\xFE"
+                        "a\0,\0",
+                        6),
+            "is not CSV but text in UTF-16, which spreadsheets call Unicode text: iconv -f "
+            "utf-16 -t utf-8 FILE > FILE.csv"}));
 
 // Files that are no table say what they are and what reads them.
 TEST(Csv, SaysWhatAFileIsThatIsNoTable) {
   const test::ScratchFolder folder;
   const std::pair<const char*, const char*> cases[] = {
       {"Bench 3\n1,2\na,b\n1,2\n3,4\n",
-       "line 2: has 2 cells, the header has 1; the table seems to begin with line 3 (a,b), and "
-       "what stands before is none: tail -n +3 "},
-      {"{\"a\": [1]}\n", "is no CSV but JSON: "},
-      {"{\"a\": 1}\n{\"a\": 2}\n", "is no CSV but JSON, a line for each row: "},
-      {"<!DOCTYPE html><html>\n", "is no CSV but a web page or XML"}};
+       "line 2: has 2 cells, the header has 1; the table seems to begin with line 3 (a,b), and the "
+       "lines before are not part of it: tail -n +3 "},
+      {"{\"a\": [1]}\n", "is not CSV but JSON: "},
+      {"{\"a\": 1}\n{\"a\": 2}\n", "is not CSV but JSON, a line for each row: "},
+      {"<!DOCTYPE html><html>\n", "is not CSV but a web page or XML"}};
   for (const auto& [text, said] : cases) {
     const auto file = folder.write("t.csv", text);
     const std::string refusal = test::refusal([&] { numbers_in(file); }, folder.path());

@@ -16,7 +16,7 @@ TEST(Verification, SaysWhatIsProved) {
   EXPECT_TRUE(found.is_accepted);
   EXPECT_EQ(
       found.claim,
-      "44/44/32/132/120 with n = 4, module 0.6 mm is the best: no other design that satisfies "
+      "44/44/32/132/120 with 4 planets, module 0.6 mm is the best: no other design that satisfies "
       "all constraints reaches its paper_cost 17360.112.");
   EXPECT_GT(found.counts.nodes, 0);
   EXPECT_EQ(found.checked.size(), 3U);

@@ -94,7 +94,7 @@ TEST(ReadLog, TakesTheUnitsUnderTheHeader) {
   EXPECT_NE(result.finding("row under the header").sentence, "");
   EXPECT_NE(result.finding("separated by semicolons, decimals are commas").sentence, "");
   EXPECT_EQ(read({{"a.csv", log("ms;A;degC")}}, rig).refusal,
-            "a.csv: column \"q\": the unit under the header, A, is none of output_position_rad, "
+            "a.csv: column \"q\": the unit under the header, A, is not one of output_position_rad, "
             "which the rig says it is");
   rig["columns"]["q"] = {{"quantity", "output_position_rad"}, {"scale", 1.0}};
   result = read({{"a.csv", log("ms;deg;degC")}}, rig);
