@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "actuator/motor/statement_spec.hpp"
+#include "io/columns/quantity_column.hpp"
 #include "io/files/csv.hpp"
-#include "io/files/quantity_column.hpp"
 
 namespace torquewright::actuator {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "actuator/trajectory/meant_columns.hpp"
 #include "actuator/trajectory/one_time.hpp"
+#include "io/columns/units_row.hpp"
 #include "io/faults/refusal.hpp"
-#include "io/files/units_row.hpp"
 #include "io/text/nearest.hpp"
 #include "io/text/wording.hpp"
 

@@ -13,8 +13,8 @@
 #include "hopper/motion/ground_line.hpp"
 #include "hopper/motion/slopes.hpp"
 #include "hopper/motion/stated_columns.hpp"
+#include "io/columns/units_row.hpp"
 #include "io/faults/refusal.hpp"
-#include "io/files/units_row.hpp"
 #include "io/text/nearest.hpp"
 #include "io/text/wording.hpp"
 

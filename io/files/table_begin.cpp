@@ -54,9 +54,10 @@ bool are_names(const std::vector<std::string>& cells) {
          });
 }
 
-bool is_row_of(const std::vector<std::string>& names, const std::vector<std::string>& cells) {
-  const bool has_no_comment = names.back() == "Comment" && cells.size() + 1 == names.size();
-  return (cells.size() == names.size() || has_no_comment) && are_numbers(cells);
+bool is_row_of(const std::vector<std::string>& names, std::vector<std::string> cells) {
+  const bool has_comments = names.back() == "Comment";
+  if (has_comments && cells.size() == names.size()) cells.pop_back();
+  return cells.size() + (has_comments ? 1 : 0) == names.size() && are_numbers(cells);
 }
 
 /// Where names begin a table: a line of them, and the separator of their cells.

@@ -205,6 +205,9 @@ TEST(Csv, SaysWhatAFileIsThatIsNoTable) {
     const std::string refusal = test::refusal([&] { numbers_in(file); }, folder.path());
     EXPECT_TRUE(refusal.starts_with("t.csv: " + std::string(said))) << refusal;
   }
+  const auto database = folder.write("t.db3", std::string("SQLite format 3\0", 16));
+  EXPECT_NE(test::refusal([&] { numbers_in(database); }).find("torquewright identify import ros2"),
+            std::string::npos);
 }
 
 // Oracle: the numbers as they stand in a table of commas and points.

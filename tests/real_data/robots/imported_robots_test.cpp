@@ -102,7 +102,7 @@ double greatest(const test::TwinDifference& far) {
 }
 
 Verdict compared(const fs::path& file, const Robot& robot, const ImportFileOptions& options) {
-  if (file.extension() == ".urdf") return {true, "not compared: its meshes are missing"};
+  if (file.extension() == ".urdf") return {true, "not compared: meshes missing"};
   try {
     test::MujocoEngine mujoco(test::stripped_mjcf(file));
     if (options.drops_base_armature) mju_zero(mujoco.model().dof_armature, 6);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/files/quantity_column.hpp"
+#include "io/columns/quantity_column.hpp"
 
 #include <fmt/format.h>
 
@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "io/columns/units_row.hpp"
 #include "io/faults/refusal.hpp"
-#include "io/files/units_row.hpp"
 #include "io/text/letter_case.hpp"
 #include "io/text/unit_in_name.hpp"
 #include "io/text/wording.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "io/files/units_row.hpp"
+#include "io/columns/units_row.hpp"
 
 #include <fmt/format.h>
 
