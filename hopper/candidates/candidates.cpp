@@ -14,8 +14,8 @@
 #include "actuator/region/joint_region.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "hopper/check/left_out_rows.hpp"
-#include "hopper/in_parallel.hpp"
 #include "io/text/time_text.hpp"
+#include "simulation/in_parallel.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -422,7 +422,7 @@ std::vector<CandidateResult> try_candidates(const Robot& robot, const Motion& mo
                                             const std::function<void(double)>& on_progress) {
   const CandidateTrials trials(robot, motion, options, report, candidates);
   std::vector<CandidateResult> results(trials.size());
-  in_parallel(trials.size(), threads, [&](std::size_t number, std::size_t thread) {
+  simulation::in_parallel(trials.size(), threads, [&](std::size_t number, std::size_t thread) {
     results[number] = trials.result_of(number);
     if (thread == 0 && on_progress) {
       on_progress(static_cast<double>(number) / static_cast<double>(trials.size()));

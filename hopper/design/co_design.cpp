@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "actuator/motor/gear_transmission.hpp"
-#include "hopper/in_parallel.hpp"
+#include "simulation/in_parallel.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -53,10 +53,11 @@ class Work {
     set.by_drivetrain[question_.drivetrain] = std::move(candidates);
     const CandidateTrials trials(robot_, motion_, options_, report_, set);
     std::vector<CandidateResult> results(trials.size());
-    in_parallel(trials.size(), question_.threads, [&](std::size_t number, std::size_t thread) {
-      results[number] = trials.result_of(number);
-      if (thread == 0) question_.report(what, number, trials.size());
-    });
+    simulation::in_parallel(trials.size(), question_.threads,
+                            [&](std::size_t number, std::size_t thread) {
+                              results[number] = trials.result_of(number);
+                              if (thread == 0) question_.report(what, number, trials.size());
+                            });
     return results;
   }
 
@@ -91,15 +92,15 @@ class Work {
 
   void search_gears() {
     answer_.gears.resize(question_.ratios.size());
-    in_parallel(question_.ratios.size(), question_.threads,
-                [&](std::size_t ratio, std::size_t thread) {
-                  answer_.gears[ratio].ratio = question_.ratios[ratio];
-                  const std::vector<bool>& use = may_use_[ratio];
-                  if (std::find(use.begin(), use.end(), true) == use.end()) return;
-                  answer_.gears[ratio] = gears_of_ratio(question_.problem, question_.ratios[ratio],
-                                                        question_.points, question_.should_stop);
-                  if (thread == 0) question_.report("ratios", ratio, question_.ratios.size());
-                });
+    simulation::in_parallel(
+        question_.ratios.size(), question_.threads, [&](std::size_t ratio, std::size_t thread) {
+          answer_.gears[ratio].ratio = question_.ratios[ratio];
+          const std::vector<bool>& use = may_use_[ratio];
+          if (std::find(use.begin(), use.end(), true) == use.end()) return;
+          answer_.gears[ratio] = gears_of_ratio(question_.problem, question_.ratios[ratio],
+                                                question_.points, question_.should_stop);
+          if (thread == 0) question_.report("ratios", ratio, question_.ratios.size());
+        });
     answer_.is_whole =
         std::none_of(answer_.gears.begin(), answer_.gears.end(),
                      [](const auto& gears) { return gears.search == GearSearch::kLimit; });

@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <atomic>
 #include <mutex>
-#include <thread>
 
-#include "hopper/in_parallel.hpp"
+#include "simulation/in_parallel.hpp"
 
 namespace torquewright::hopper {
 namespace {
 
 std::size_t threads_of(const TrialRun& run) {
   if (run.threads > 0) return run.threads;
-  return std::max(1u, std::thread::hardware_concurrency());  // 0 where the system does not say
+  return simulation::threads_of_machine();
 }
 
 }  // namespace
@@ -24,7 +23,7 @@ std::vector<std::optional<TrialOutcome>> run_trials(
   std::atomic<bool> is_stopped = false;
   std::mutex telling;
   std::size_t done = 0;
-  in_parallel(run.count, threads_of(run), [&](std::size_t number, std::size_t) {
+  simulation::in_parallel(run.count, threads_of(run), [&](std::size_t number, std::size_t) {
     if (!is_stopped && run.should_stop && run.should_stop()) is_stopped = true;
     if (is_stopped) return;
     outcomes[number] = trial(number);

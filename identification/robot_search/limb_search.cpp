@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <set>
 
 #include "identification/robot_search/simulated_candidates.hpp"
 #include "identification/rollout/output_errors.hpp"
+#include "identification/rollout/side_by_side.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -28,7 +28,13 @@ constexpr double kLeastGain = 1e-3;  ///< Relative, of the squares; less ends th
 constexpr double kDampings[] = {1e-3, 1e-1, 1e1, 1e3};
 constexpr std::size_t kMostFitted = 5;  ///< Candidates of one step that are fitted.
 constexpr std::size_t kMostOfLimb = 3;
-constexpr double kMost_s = 20.0;  ///< Of each of the two parts of the log.
+/// Of each of the two parts of the log, and what the joints of a robot share of it: what a user
+/// waits for.
+constexpr double kLeast_s = 10.0, kMost_s = 20.0, kMostOfJoints_s = 60.0;
+
+double searched_s(const RobotModel& model) {
+  return std::clamp(kMostOfJoints_s / static_cast<double>(model.drives.size()), kLeast_s, kMost_s);
+}
 
 /// One effect of one joint, with its numbers and those beside it fitted by slopes of the latter
 /// that were taken without it.
@@ -82,8 +88,8 @@ class LimbSearch {
         values_(std::move(begin.values)),
         named_(named),
         asks_(asks),
-        training_(fit_windows(log, kMost_s)),
-        held_out_(fit_windows(log, kMost_s, true)) {
+        training_(fit_windows(log, searched_s(stated_))),
+        held_out_(fit_windows(log, searched_s(stated_), true)) {
     for (std::size_t joint = 0; joint < stated_.drives.size(); ++joint)
       ranges_.push_back(ranges_of_joint(log, stated_, joint));
     fit_ = fitted_already(begin.model);
@@ -134,7 +140,7 @@ class LimbSearch {
     options.begin = begin;
     options.limb = limb_;
     options.most_rounds = kRounds;
-    options.most_simulated_s = kMost_s;
+    options.most_simulated_s = searched_s(stated_);
     return fit_values(log_, stated, values, options);
   }
 
@@ -147,12 +153,8 @@ class LimbSearch {
 
   std::optional<Slopes> slopes() const {
     Slopes all{output_errors_rad(log_, fit_.model, of_limb_, training_), {}, {}};
-    all.by_value.resize(all.errors.size(), static_cast<Index>(values_.size()));
-    for (std::size_t k = 0; k < values_.size(); ++k) {
-      const VectorXd slope = slope_of(log_, fit_.model, values_[k], limb_, training_, all.errors);
-      if (slope.size() == 0) return std::nullopt;
-      all.by_value.col(static_cast<Index>(k)) = slope;
-    }
+    all.by_value = slopes_of(log_, fit_.model, values_, limb_, training_, all.errors);
+    if (all.by_value.cols() != static_cast<Index>(values_.size())) return std::nullopt;
     MatrixXd power = all.by_value.transpose() * all.by_value;
     for (std::size_t k = 0; k < values_.size(); ++k) {
       const double known = values_[k].size / values_[k].deviation;  // 0 where nothing is known
@@ -319,37 +321,57 @@ class LimbSearch {
   std::vector<Trial> fitted_trials(SimulatedSearch& search) const {
     const std::optional<Slopes> beside = slopes();
     if (!beside) return {};
-    std::vector<std::pair<double, SimulatedCandidate>> ranked;
-    for (SimulatedCandidate& each : candidates()) {
-      search.tried[each.joint].emplace_back(each.effect.kind->name);
-      const double share = linear_share(*beside, each);
-      // What is missing makes what is left look like noise of its own size: little counts already.
-      if (share > kTried) ranked.emplace_back(share, std::move(each));
-    }
-    std::stable_sort(ranked.begin(), ranked.end(),
-                     [](const auto& a, const auto& b) { return a.first > b.first; });
-    std::set<std::pair<std::size_t, std::string_view>> is_there;
+    const std::vector<Begin> begins = best_begins(*beside, search);
+    auto fitted = side_by_side<std::optional<Trial>>(log_, begins.size(), [&](std::size_t k) {
+      return fitted_trial(*beside, begins[k].joint, begins[k].effect);
+    });
     std::vector<Trial> trials;
-    for (const auto& [share, each] : ranked) {
-      if (is_there.size() == kMostFitted) break;
-      if (!is_there.insert({each.joint, each.effect.kind->name}).second) continue;
-      if (auto trial = fitted_trial(*beside, each.joint, each.effect))
-        trials.push_back(std::move(*trial));
-    }
-    for (const std::size_t joint : of_limb_.joints) {
-      for (const Effect& effect : named_[joint]) add_named(*beside, joint, effect, search, trials);
+    for (std::optional<Trial>& each : fitted) {
+      if (each) trials.push_back(std::move(*each));
     }
     return trials;
   }
 
-  void add_named(const Slopes& beside, std::size_t joint, const Effect& effect,
-                 SimulatedSearch& search, std::vector<Trial>& trials) const {
+  /// Where the fit of an effect begins.
+  struct Begin {
+    std::size_t joint = 0;
+    Effect effect;
+  };
+
+  std::vector<Begin> best_begins(const Slopes& beside, SimulatedSearch& search) const {
+    const std::vector<SimulatedCandidate> all = candidates();
+    const auto shares = side_by_side<double>(
+        log_, all.size(), [&](std::size_t k) { return linear_share(beside, all[k]); });
+    std::vector<std::size_t> ranked;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      search.tried[all[k].joint].emplace_back(all[k].effect.kind->name);
+      // What is missing makes what is left look like noise of its own size: little counts already.
+      if (shares[k] > kTried) ranked.push_back(k);
+    }
+    std::stable_sort(ranked.begin(), ranked.end(),
+                     [&](std::size_t a, std::size_t b) { return shares[a] > shares[b]; });
+    std::vector<Begin> begins;
+    for (const std::size_t k : ranked) {
+      if (begins.size() == kMostFitted) break;
+      const bool is_there = std::any_of(begins.begin(), begins.end(), [&](const Begin& each) {
+        return each.joint == all[k].joint && each.effect.kind == all[k].effect.kind;
+      });
+      if (!is_there) begins.push_back({all[k].joint, all[k].effect});
+    }
+    for (const std::size_t joint : of_limb_.joints) {
+      for (const Effect& effect : named_[joint]) add_named(joint, effect, search, begins);
+    }
+    return begins;
+  }
+
+  void add_named(std::size_t joint, const Effect& effect, SimulatedSearch& search,
+                 std::vector<Begin>& begins) const {
     const auto& own = fit_.model.drives[joint].effects;
     const bool is_there = std::any_of(own.begin(), own.end(),
                                       [&](const Effect& each) { return each.kind == effect.kind; });
     if (is_there) return;
     search.tried[joint].emplace_back(effect.kind->name);
-    if (auto trial = fitted_trial(beside, joint, effect)) trials.push_back(std::move(*trial));
+    begins.push_back({joint, effect});
   }
 
   /// What squares are worth where a trial's errors are noise.

@@ -5,11 +5,13 @@
 #include <cmath>
 
 #include "identification/rollout/rollout.hpp"
+#include "identification/rollout/side_by_side.hpp"
 
 namespace torquewright::identification {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kFitStep_s = 2e-3;  ///< Of integration: slopes need no more.
@@ -64,6 +66,19 @@ VectorXd slope_of(const Log& log, const RobotModel& model, const FreeValue& whic
   const VectorXd then = output_errors_rad(log, moved, limbs_of(moved.load)[limb], windows);
   if (then.size() == 0) return {};
   return (then - errors) * (which.size / step);
+}
+
+MatrixXd slopes_of(const Log& log, const RobotModel& model, const std::vector<FreeValue>& values,
+                   std::size_t limb, const std::vector<Window>& windows, const VectorXd& errors) {
+  const auto columns = side_by_side<VectorXd>(log, values.size(), [&](std::size_t k) {
+    return slope_of(log, model, values[k], limb, windows, errors);
+  });
+  MatrixXd all(errors.size(), static_cast<Index>(values.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (columns[k].size() == 0) return {};
+    all.col(static_cast<Index>(k)) = columns[k];
+  }
+  return all;
 }
 
 double weight_of(const std::vector<VectorXd>& errors, const std::vector<Limb>& limbs,

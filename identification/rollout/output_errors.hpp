@@ -25,6 +25,12 @@ Eigen::VectorXd slope_of(const Log& log, const RobotModel& model, const FreeValu
                          std::size_t limb, const std::vector<Window>& windows,
                          const Eigen::VectorXd& errors);
 
+/// The slopes of several values, a column each; empty where one of those simulations grows without
+/// bound.
+Eigen::MatrixXd slopes_of(const Log& log, const RobotModel& model,
+                          const std::vector<FreeValue>& values, std::size_t limb,
+                          const std::vector<Window>& windows, const Eigen::VectorXd& errors);
+
 /// What the squares of errors are worth: 1 for each independent error of their own mean size.
 /// `errors`: of the limbs, in the order of `limbs`; samples over which an error stays alike count
 /// as one.

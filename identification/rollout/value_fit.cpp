@@ -132,16 +132,14 @@ class Fit {
     const RobotModel model = with(values);
     for (std::size_t l = 0; l < limbs_.size(); ++l) {
       std::vector<Index> own;
+      std::vector<FreeValue> own_values;
       for (Index k = 0; k < count_; ++k) {
-        if (is_in(limbs_[l], free_[at(k)])) own.push_back(k);
+        if (!is_in(limbs_[l], free_[at(k)])) continue;
+        own.push_back(k);
+        own_values.push_back(free_[at(k)]);
       }
-      MatrixXd slopes(errors[l].size(), static_cast<Index>(own.size()));
-      for (std::size_t i = 0; i < own.size(); ++i) {
-        const VectorXd slope =
-            slope_of(log_, model, free_[at(own[i])], place_of(l), windows_, errors[l]);
-        if (slope.size() == 0) return false;
-        slopes.col(static_cast<Index>(i)) = slope;
-      }
+      const MatrixXd slopes = slopes_of(log_, model, own_values, place_of(l), windows_, errors[l]);
+      if (slopes.cols() != static_cast<Index>(own.size())) return false;
       const MatrixXd products = slopes.transpose() * slopes;
       const VectorXd right = slopes.transpose() * errors[l];
       for (std::size_t a = 0; a < own.size(); ++a) {

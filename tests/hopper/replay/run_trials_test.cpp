@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "hopper/in_parallel.hpp"
+#include "simulation/in_parallel.hpp"
 
 namespace torquewright::hopper {
 namespace {
@@ -93,7 +93,7 @@ TEST(InParallel, ThrowsTheLowestNumbersFailure) {
         throw std::runtime_error(std::to_string(number));
       };
       try {
-        in_parallel(100, threads, work);
+        simulation::in_parallel(100, threads, work);
         FAIL() << "nothing was thrown";
       } catch (const std::runtime_error& error) {
         EXPECT_STREQ(error.what(), "6");
@@ -104,13 +104,15 @@ TEST(InParallel, ThrowsTheLowestNumbersFailure) {
 
 TEST(InParallel, CallsEachNumberOnce) {
   std::vector<std::atomic<int>> calls(1000);
-  in_parallel(1000, 5, [&](std::size_t number, std::size_t thread) {
+  simulation::in_parallel(1000, 5, [&](std::size_t number, std::size_t thread) {
     EXPECT_LT(thread, 5u);
     ++calls[number];
   });
   for (const std::atomic<int>& count : calls) EXPECT_EQ(count, 1);
-  in_parallel(0, 3, [](std::size_t, std::size_t) { FAIL() << "there is nothing to do"; });
-  EXPECT_THROW(in_parallel(1, 0, [](std::size_t, std::size_t) {}), std::invalid_argument);
+  simulation::in_parallel(0, 3,
+                          [](std::size_t, std::size_t) { FAIL() << "there is nothing to do"; });
+  EXPECT_THROW(simulation::in_parallel(1, 0, [](std::size_t, std::size_t) {}),
+               std::invalid_argument);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "hopper/in_parallel.hpp"
+#include "simulation/in_parallel.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -10,7 +10,11 @@
 #include <thread>
 #include <vector>
 
-namespace torquewright::hopper {
+namespace torquewright::simulation {
+
+std::size_t threads_of_machine() {
+  return std::max(1u, std::thread::hardware_concurrency());  // 0 where the system does not say
+}
 
 void in_parallel(std::size_t count, std::size_t threads,
                  const std::function<void(std::size_t, std::size_t)>& work) {
@@ -45,4 +49,4 @@ void in_parallel(std::size_t count, std::size_t threads,
   if (failure) std::rethrow_exception(failure);
 }
 
-}  // namespace torquewright::hopper
+}  // namespace torquewright::simulation
