@@ -3,6 +3,7 @@
 // is played can be read, what cannot be done is refused.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/cli/spoilt_log.hpp"
@@ -237,6 +238,73 @@ TEST(IdentifySimulate, RefusesWhatCannotBePlayed) {
   expect_refused(place,
                  {"identify", "simulate", actuator(), "--rig", rig(), "--excitation", "absent.csv"},
                  "absent.csv");
+}
+
+/// A rig of the example's planar leg, held by its trunk.
+std::string leg_rig() {
+  return json{{"kind", "rig"},
+              {"version", 1},
+              {"columns",
+               {{"time_s", "time_s"},
+                {"{j}_command", {{"quantity", "commanded_position_rad"}, {"joint", "{j}"}}},
+                {"{j}_rad", {{"quantity", "output_position_rad"}, {"joint", "{j}"}}}}},
+              {"controller", {{"type", "pd"}, {"stiffness_Nm_rad", 40}, {"damping_Nm_s_rad", 0.5}}}}
+      .dump();
+}
+
+Words leg_words(const Words& more) {
+  Words words = {"identify",   "plan",    "--rig",
+                 "rig.json",   "--robot", in_repository("specs/robot/planar_leg.json").string(),
+                 "--duration", "8"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+// Oracle: the document's ranges, 0.1 to 2.6 rad of the knee and -2.2 to 1 of the hip, and its
+// posture "stand", where each run begins and ends.
+TEST(IdentifyPlan, PlansForAllJointsOfARobot) {
+  const Workplace place;
+  place.write("rig.json", leg_rig());
+  const Outcome planned = place.run(leg_words({"-o", "commands.csv", "--json"}));
+  ASSERT_TRUE(planned.exit_code == 0 || planned.exit_code == 3) << planned.err;
+  const json plan = json::parse(planned.out);
+  EXPECT_EQ(plan["separable"], planned.exit_code == 0);
+  for (const char* joint : {"hip", "knee"}) {
+    const auto is_friction = [&](const json& each) {
+      return each["joint"] == joint && each["name"] == "coulomb_Nm" && each["told"];
+    };
+    EXPECT_TRUE(std::any_of(plan["values"].begin(), plan["values"].end(), is_friction)) << joint;
+  }
+  const SpoiltLog commands(place.text("commands.csv"));
+  EXPECT_EQ(commands.header,
+            (std::vector<std::string>{"run", "time_s", "hip_commanded_position_rad",
+                                      "knee_commanded_position_rad"}));
+  EXPECT_EQ(std::stod(commands.rows.front()[2]), -0.7);
+  EXPECT_EQ(std::stod(commands.rows.back()[3]), 1.5);
+  for (const auto& row : commands.rows) {
+    EXPECT_GT(std::stod(row[2]), -2.2);
+    EXPECT_LT(std::stod(row[2]), 1.0);
+    EXPECT_GT(std::stod(row[3]), 0.1);
+    EXPECT_LT(std::stod(row[3]), 2.6);
+  }
+}
+
+TEST(IdentifyPlan, RefusesWhatARobotsPlanDoesNotTake) {
+  const Workplace place;
+  place.write("rig.json", leg_rig());
+  const std::pair<Words, const char*> cases[] = {
+      {{"--posture", "stnad"}, "--posture: the robot has no posture \"stnad\"; did you mean"},
+      {{"--separate", "coulomb_friction"}, "--separate: a robot's plan is for all of its values"},
+      {{"--actuator", "ankle=x.json"}, "the rig has no joint \"ankle\""},
+      {{"--base-height", "0.1"}, "--posture: the robot cannot stand where its motion is to begin"},
+      {{actuator()}, "the rig moves a robot, whose drives are its document's"}};
+  for (const auto& [more, said] : cases) expect_refused(place, leg_words(more), said);
+  expect_refused(place,
+                 {"identify", "plan", "--rig", "rig.json", "--robot",
+                  in_repository("specs/robot/planar_leg.json").string(), "--duration", "4"},
+                 "--duration: 4 s is not between 8 and 600 s");
+  expect_refused(place, plan_words({"--posture", "stand"}),
+                 "--posture: the rig moves no robot; leave the option out");
 }
 
 }  // namespace

@@ -14,7 +14,9 @@
 #include "identification/outputs/output.hpp"
 #include "identification/robot/robot_output.hpp"
 #include "io/files/atomic_file.hpp"
+#include "io/text/nearest.hpp"
 #include "io/text/one_line.hpp"
+#include "io/text/wording.hpp"
 #include "src/commands/identification/identify_commands.hpp"
 #include "src/commands/identification/identify_inputs.hpp"
 #include "src/commands/identification/identify_json.hpp"
@@ -67,8 +69,10 @@ void require_names(const std::string& option, const std::vector<std::string>& na
   const std::vector<std::string> known = identification::nameable_effects();
   for (const std::string& name : names) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    command_line::refuse(fmt::format("{}: no effect is called \"{}\"; allowed are {}", option, name,
-                                     fmt::join(known, ", ")));
+    const std::optional<std::string> near = io::nearest(name, known);
+    command_line::refuse(fmt::format(
+        "{}: no effect is called \"{}\"; {}", option, name,
+        near ? fmt::format("did you mean \"{}\"?", *near) : "allowed are " + io::listed(known)));
   }
 }
 

@@ -12,6 +12,7 @@
 #include "io/faults/refusal.hpp"
 #include "io/files/atomic_file.hpp"
 #include "src/commands/identification/identify_commands.hpp"
+#include "src/commands/identification/identify_plan_request.hpp"
 #include "src/commands/shared/result_json.hpp"
 #include "src/commands/shared/stated_json.hpp"
 #include "src/options/noise_option.hpp"
@@ -24,14 +25,6 @@ namespace torquewright::cli {
 namespace {
 
 using identification::Plan;
-
-struct PlanRequest {
-  std::string actuator, rig, excitation;
-  std::vector<std::string> noise;
-  identification::PlanOptions options;
-  const command_line::DeclaredCommand* declared = nullptr;
-  bool json = false;
-};
 
 struct PlanInputs {
   io::Document rig_document;
@@ -79,7 +72,35 @@ void write(const PlanRequest& request, const PlanInputs& inputs, const Plan& pla
   deliver(std::move(files), request.json ? text : for_window(text));
 }
 
+bool is_of_robot(const PlanRequest& request) {
+  if (!request.robot.empty()) return true;
+  const io::Document rig = io::read_document(request.rig, "rig");
+  return identification::read_rig(rig).load.type == identification::LoadType::kRobot;
+}
+
+/// Options that only one of both kinds of plan knows are not passed over.
+void require_bench_options(const PlanRequest& request) {
+  if (request.actuator.empty()) {
+    command_line::refuse("actuator is required, for the rig moves no robot");
+  }
+  const auto refuse_given = [](bool is_given, const char* name) {
+    if (is_given) io::refuse(name, "the rig moves no robot; leave the option out");
+  };
+  refuse_given(!request.of_joints.empty(), "--actuator");
+  refuse_given(!request.posture.empty(), "--posture");
+  refuse_given(request.base_height_m.has_value(), "--base-height");
+}
+
 ExitCode run_plan(const PlanRequest& request) {
+  if (is_of_robot(request)) {
+    if (!request.actuator.empty()) {
+      io::refuse(request.actuator,
+                 "the rig moves a robot, whose drives are its document's; --actuator JOINT=FILE "
+                 "names another");
+    }
+    return run_robot_plan(request);
+  }
+  require_bench_options(request);
   const PlanInputs inputs = read(request);
   const Plan plan =
       identification::plan_excitation(inputs.rig, inputs.nominal.actuator, inputs.options);
@@ -95,11 +116,32 @@ void add_identify_plan(command_line::Command& identify) {
       identify.add_command("plan", "Plan what to play, so that effects can be told apart");
   request->declared = &command.declared();
   command.add_option("actuator", request->actuator, "Document of kind actuator, as designed")
-      .required();
+      .otherwise("the drives of the rig's robot");
   command
       .add_option("--rig", request->rig,
                   "Document of kind rig, which says what the load and the columns are")
       .required();
+  command
+      .add_option("--robot", request->robot,
+                  "Document of kind robot, whose joints are to move while its base is held, where "
+                  "the rig states no load")
+      .otherwise("the rig's load");
+  command
+      .add_option(
+          "--actuator", request->of_joints,
+          "JOINT=FILE: a drive of the robot that differs from its document's, '*_knee=FILE' "
+          "for many")
+      .otherwise("the robot's own")
+      .one_value_each();
+  command
+      .add_option("--posture", request->posture,
+                  "Posture of the robot about which it moves, by its name")
+      .otherwise("the one in which it stands, or the middle of its joints' ranges");
+  command
+      .add_option("--base-height", request->base_height_m,
+                  "How high the origin of the robot's base hangs above the ground, in m")
+      .otherwise("the ground is out of reach")
+      .positive();
   command.add_option("--separate", request->options.separate, "Effects that are to be told apart")
       .otherwise("friction, saturation and inertia")
       .separated_by_commas();
