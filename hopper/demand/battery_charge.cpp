@@ -54,29 +54,42 @@ Finding finding_of(const Drain& drain, std::size_t runs) {
 
 }  // namespace
 
-std::vector<Finding> battery_charge_findings(const CheckedMotion& checked,
-                                             const Eigen::MatrixXd& torques_Nm) {
+std::vector<Finding> battery_charge_findings(const Robot& robot,
+                                             const actuator::OperatingConditions& conditions,
+                                             const std::vector<double>& drawn_Ah,
+                                             std::size_t runs) {
   std::vector<std::string> names;
   std::vector<const actuator::Actuator*> drives;
-  for (const Drivetrain& drivetrain : checked.robot.drivetrains) {
+  for (const Drivetrain& drivetrain : robot.drivetrains) {
     for (std::size_t i = 0; i < drivetrain.actuators.size(); ++i) {
       names.push_back(drivetrain.actuator_names[i]);
       drives.push_back(&drivetrain.actuators[i]);
     }
   }
   std::vector<Finding> findings;
-  for (const BatteryPower& battery : battery_powers(checked, torques_Nm)) {
-    const auto& pack = drives[battery.feeds.drives.front()]->battery;
-    if (!pack || !pack->cell_capacity_Ah) continue;
+  const std::vector<DriveSupply> supplies = drive_supplies(drives, conditions);
+  for (std::size_t i = 0; i < supplies.size() && i < drawn_Ah.size(); ++i) {
+    const auto& pack = drives[supplies[i].drives.front()]->battery;
+    if (!pack || !pack->cell_capacity_Ah || !(drawn_Ah[i] > 0.0)) continue;
     Drain drain;
-    for (const std::size_t drive : battery.feeds.drives) drain.drives.push_back(names[drive]);
-    drain.run_Ah = charge_Ah(checked, battery);
-    const std::optional<double> charge = checked.options.conditions.state_of_charge;
-    drain.taken_for_full = !charge;
-    drain.left_Ah = charge.value_or(1.0) * *pack->cell_capacity_Ah * pack->parallel_cells;
-    if (drain.run_Ah > 0.0) findings.push_back(finding_of(drain, checked.options.runs));
+    for (const std::size_t drive : supplies[i].drives) drain.drives.push_back(names[drive]);
+    drain.run_Ah = drawn_Ah[i];
+    drain.taken_for_full = !conditions.state_of_charge;
+    drain.left_Ah =
+        conditions.state_of_charge.value_or(1.0) * *pack->cell_capacity_Ah * pack->parallel_cells;
+    findings.push_back(finding_of(drain, runs));
   }
   return findings;
+}
+
+std::vector<Finding> battery_charge_findings(const CheckedMotion& checked,
+                                             const Eigen::MatrixXd& torques_Nm) {
+  std::vector<double> drawn_Ah;
+  for (const BatteryPower& battery : battery_powers(checked, torques_Nm)) {
+    drawn_Ah.push_back(charge_Ah(checked, battery));
+  }
+  return battery_charge_findings(checked.robot, checked.options.conditions, drawn_Ah,
+                                 checked.options.runs);
 }
 
 }  // namespace torquewright::hopper

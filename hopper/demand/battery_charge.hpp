@@ -11,5 +11,10 @@ namespace torquewright::hopper {
 /// drive and sample, rotors included. docs/derivations/whole_body_check.md eq. (13a).
 std::vector<Finding> battery_charge_findings(const CheckedMotion& checked,
                                              const Eigen::MatrixXd& torques_Nm);
+/// The same of what a run drew, by supply in the order of drive_supplies(), in Ah.
+std::vector<Finding> battery_charge_findings(const Robot& robot,
+                                             const actuator::OperatingConditions& conditions,
+                                             const std::vector<double>& drawn_Ah,
+                                             std::size_t runs = 1);
 
 }  // namespace torquewright::hopper

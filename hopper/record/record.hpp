@@ -44,6 +44,8 @@ struct Record {
   double step_s = 0.0;
   double control_period_s = 0.0;
   std::size_t starved_steps = 0;  ///< Number of steps in which a battery could not give the power.
+  /// Charge that left each supply, in the order of drive_supplies(), less what came back, in Ah.
+  std::vector<double> drawn_Ah;
   double greatest_power_W = 0.0;  ///< Greatest power of all batteries together, over all steps.
   /// Least voltage of the drives that have a winding, over all steps; empty: there are none.
   std::optional<double> least_bus_V;

@@ -154,7 +154,10 @@ class PoweredDrives::Work {
 
   void start() {
     for (WorkingDrive& drive : drives_) drive.start();
-    for (Bus& bus : buses_) bus.voltage_V = bus.feeds.supply.open_circuit_V;
+    for (Bus& bus : buses_) {
+      bus.voltage_V = bus.feeds.supply.open_circuit_V;
+      bus.drawn_C = 0.0;
+    }
     step_.torque_Nm = step_.cut_off_Nm = step_.current_A = VectorXd::Zero(size());
     step_.winding_K = step_.bus_V = VectorXd::Zero(size());
   }
@@ -196,6 +199,13 @@ class PoweredDrives::Work {
     }
   }
 
+  std::vector<double> drawn_Ah() const {
+    constexpr double kSecondsPerHour = 3600.0;
+    std::vector<double> drawn;
+    for (const Bus& bus : buses_) drawn.push_back(bus.drawn_C / kSecondsPerHour);
+    return drawn;
+  }
+
   Index size() const { return static_cast<Index>(drives_.size()); }
   bool has_heat(Index drive) const { return drives_[static_cast<std::size_t>(drive)].has_heat(); }
 
@@ -204,6 +214,7 @@ class PoweredDrives::Work {
     DriveSupply feeds;
     double most_W;
     double voltage_V;  ///< That the step before left.
+    double drawn_C = 0.0;
   };
 
   WorkingDrive& at(Index drive) { return drives_[static_cast<std::size_t>(drive)]; }
@@ -226,7 +237,7 @@ class PoweredDrives::Work {
     buses_.clear();
     for (DriveSupply& feeds : drive_supplies(actuators_of(*fixed_), options.conditions)) {
       const double most_W = greatest_power_W(feeds.supply);
-      buses_.push_back({std::move(feeds), most_W, 0.0});
+      buses_.push_back({std::move(feeds), most_W, 0.0, 0.0});
     }
     start();
   }
@@ -281,9 +292,10 @@ class PoweredDrives::Work {
     }
   }
 
-  void finish(const Bus& bus, const VectorXd& position_rad, double step_s) {
+  void finish(Bus& bus, const VectorXd& position_rad, double step_s) {
     const double asked_W = power_W(bus, bus.voltage_V);
     const double voltage_V = loaded_voltage_V(bus.feeds.supply, asked_W);
+    if (voltage_V > 0.0) bus.drawn_C += asked_W / voltage_V * step_s;
     const bool has_winding = drives_[bus.feeds.drives.front()].has_winding();
     if (has_winding) {
       step_.power_W += asked_W;
@@ -333,6 +345,7 @@ void PoweredDrives::ranges(const VectorXd& speed_rad_s, const VectorXd& bus_V,
   work_->ranges(speed_rad_s, bus_V, winding_K, least_Nm, greatest_Nm);
 }
 
+std::vector<double> PoweredDrives::drawn_Ah() const { return work_->drawn_Ah(); }
 Index PoweredDrives::size() const { return work_->size(); }
 bool PoweredDrives::has_heat(Index drive) const { return work_->has_heat(drive); }
 

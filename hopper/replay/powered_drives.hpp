@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "hopper/replay/powered_drive_options.hpp"
 #include "hopper/tracking/drive_ranges.hpp"
@@ -69,6 +70,10 @@ class PoweredDrives {
   void ranges(const Eigen::VectorXd& speed_rad_s, const Eigen::VectorXd& bus_V,
               const Eigen::VectorXd& winding_K, Eigen::VectorXd& least_Nm,
               Eigen::VectorXd& greatest_Nm) const;
+
+  /// Charge that left each supply since the start, in the order of drive_supplies(), less what came
+  /// back, in Ah.
+  std::vector<double> drawn_Ah() const;
 
   Eigen::Index size() const;
   bool has_heat(Eigen::Index drive) const;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "hopper/replay/charge.hpp"
 #include "hopper/replay/fall.hpp"
 #include "hopper/replay/free_rotors.hpp"
 #include "hopper/replay/left_out.hpp"
@@ -71,7 +72,19 @@ TrackingOptions tracking_options(const Robot& robot, const ReplayOptions& option
           options.tasks,
           [&robot, &options] {
             return drive_ranges(robot, {options.limits, options.conditions, {}, {}});
-          }};
+          },
+          options.forward_m_s};
+}
+
+/// Hops at a commanded speed are judged by it: their places are not the motion's.
+std::optional<Goal> commanded_goal(const std::vector<TimeInAir>& flights,
+                                   const ReplayOptions& options) {
+  if (!options.forward_m_s) return std::nullopt;
+  Goal goal;
+  goal.least_flights = goal.most_flights = static_cast<int>(flights.size());
+  goal.forward_m_s = options.forward_m_s;
+  for (const TimeInAir& flight : flights) goal.landings_s.push_back(flight.until_s);
+  return goal;
 }
 
 }  // namespace
@@ -119,6 +132,7 @@ struct Replay::Ready {
         options(over_ground_of(motion, with)),
         reference(of, motion, report.contacts, report.torques_Nm),
         flights(flights_of(reference, report.flights)),
+        goal(commanded_goal(flights, with)),
         controller(with.controller->prepare(of, reference, tracking_options(of, with))) {}
 
   Ready(const Robot& of, FreeRun run, const ReplayOptions& with)
@@ -159,6 +173,7 @@ struct Replay::Ready {
                                    options.load_window_s)
                        : result_of(moved, reference, flights, done.record, options.verdict,
                                    options.load_window_s);
+    judge_charge(of, variation.conditions, done.record, done.result);
     leave_open(effects_left_out(of), done.result);
     return done;
   }
@@ -167,7 +182,7 @@ struct Replay::Ready {
   ReplayOptions options;
   Reference reference;
   std::vector<TimeInAir> flights;
-  std::optional<Goal> goal;  ///< None where it follows a motion.
+  std::optional<Goal> goal;  ///< None where it is judged by the motion.
   std::unique_ptr<const ReadyController> controller;
 };
 

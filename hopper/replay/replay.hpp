@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct ReplayOptions {
   EngineOptions engine_options;
   VerdictRule verdict;
   double load_window_s = 0.01;
+  /// Speed that hops are commanded, by which they are then judged, of a controller that follows
+  /// one.
+  std::optional<double> forward_m_s;
   bool acts_late = false;     ///< Whether some run has a latency.
   bool filters_noise = true;  ///< Whether a filter stands between noisy sensors and controller.
   actuator::OperatingConditions conditions;

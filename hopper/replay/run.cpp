@@ -238,6 +238,7 @@ class Run {
   void finish() {
     record_.end_s = time_s();
     record_.account = parts_.controller.account();
+    record_.drawn_Ah = parts_.drives.drawn_Ah();
     const auto made = std::max<Index>(1, static_cast<Index>(record_.steps.times_s.size())) - 1;
     for (Eigen::MatrixXd* table : tables()) table->conservativeResize(drives_, made);
   }

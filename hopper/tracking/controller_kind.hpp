@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 #include "hopper/tracking/controller.hpp"
@@ -23,6 +24,8 @@ struct TrackingOptions {
   std::shared_ptr<const OperationalTasks> tasks = nullptr;
   /// Makes the ranges of the robot's drives, for a controller that needs them.
   std::function<std::shared_ptr<const DriveRanges>()> make_ranges = {};
+  /// Speed at which hops are to go, along the way that the base faces, for one that follows it.
+  std::optional<double> forward_m_s = std::nullopt;
 };
 
 /// A controller made ready for a robot and a motion once, for any number of runs and threads.
@@ -38,6 +41,7 @@ struct ControllerKind {
   std::string_view name;
   std::string_view sentence;  ///< Description for a user.
   bool has_tasks = false;     ///< Whether it weighs tasks, which a document may state.
+  bool has_speed = false;     ///< Whether it follows a commanded speed.
   /// Robot and reference must outlive it. io::SpecError where it cannot follow this motion.
   std::unique_ptr<const ReadyController> (*prepare)(const Robot& robot, const Reference& reference,
                                                     const TrackingOptions& options) = nullptr;

@@ -5,7 +5,7 @@
 
 // One line for each controller; its file defines the constant of that name.
 #define TORQUEWRIGHT_EVERY_CONTROLLER(controller) \
-  controller(lqr) controller(pd) controller(weighing) controller(osc)
+  controller(lqr) controller(pd) controller(weighing) controller(osc) controller(stepping)
 
 namespace torquewright::hopper::controllers {
 

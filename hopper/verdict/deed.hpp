@@ -14,6 +14,7 @@ struct DeedTolerances {
   double turn_rad = 0.5;   ///< Of all that the base turns.
   double joint_rad = 0.3;  ///< Of a joint's angle at the end,
   double slide_m = 0.05;   ///< and of a slide's position.
+  double speed_m_s = 0.1;  ///< Of hops at a commanded speed.
 };
 
 /// Something that a motion does, and what the run made of it.

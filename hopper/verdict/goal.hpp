@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "hopper/verdict/verdict.hpp"
 
@@ -16,6 +17,9 @@ struct Goal {
   bool rests = true;       ///< Whether its feet rest at the end, else it only stays up.
   std::optional<double> forward_m_s;  ///< Mean velocity of the base along the world's x.
   double forward_tolerance_m_s = 0.3;
+  /// Of hops, when each is to land: the velocity is then that from the first landing to the last,
+  /// hop by hop along the way that the base faces. Empty: of all that the run lasts.
+  std::vector<double> landings_s;
 };
 
 /// A shorter loss of contact is no flight of a goal: feet that chatter are not counted.

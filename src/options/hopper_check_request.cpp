@@ -151,6 +151,14 @@ void add_motion_options(command_line::Command& command, HopperCheckRequest& requ
           "before, as simulators store them: find them, keep all as they stand, or shift all")
       .one_of({"find", "keep", "shift"})
       .stated_as("late_columns");
+  command
+      .add_option(
+          "--hops", request.hops,
+          "How many flights the motion has: what lies between its last two take-offs, alike "
+          "as `hopper flip --alike` plans them, follows itself so often")
+      .otherwise("as many as the file has")
+      .integer_between(2, 1000)
+      .stated_as("hops");
 }
 
 void add_contact_options(command_line::Command& command, hopper::ContactRule& contact) {

@@ -22,6 +22,7 @@ struct HopperCheckRequest {
   std::vector<std::string> columns;  ///< NAME=OWNER.QUANTITY[:unit][*factor]
   std::vector<std::string> columns_files;
   hopper::BareRows bare;
+  int hops = 0;  ///< Flights that the motion is made to have; 0: as it is.
   WindowOptions window;
   OperatingOptions operating;
   hopper::CheckOptions check;  ///< The numbers that have an option of their own.

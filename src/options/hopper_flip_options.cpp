@@ -48,7 +48,8 @@ void add_task_options(Command& command, HopperFlipRequest& request) {
       .stated_as("stride_m");
   command
       .add_option("--speed", request.speed_m_s,
-                  "Mean speed of hops in m/s, from the first take-off to the last touch-down; "
+                  "Mean speed of hops in m/s, from the first take-off to the last touch-down "
+                  "(--alike: the last take-off); "
                   "without --stride it makes the stride; less than 0 is backwards")
       .otherwise("free")
       .between(-5.0, 5.0)
@@ -58,6 +59,12 @@ void add_task_options(Command& command, HopperFlipRequest& request) {
                   "How many jumps or hops follow each other without a rest")
       .integer_between(1, kMostRepeats)
       .stated_as("repeat");
+  command
+      .add_flag(
+          "--alike", request.plan.has_alike_hops,
+          "Every flight begins as the one before: such hops go on and on, `hopper replay --hops`")
+      .needs("--repeat")
+      .stated_as("alike");
   command
       .add_option("--land-at", request.plan.landings_m,
                   "How much higher the ground is where a hop lands, in m, over that where the "

@@ -122,10 +122,13 @@ void add_policy_options(command_line::Command& command, HopperReplayRequest& req
           "kind training_task")
       .otherwise("the task that its document says");
   command
-      .add_option("--forward", request.forward_m_s,
-                  "Velocity that a policy is commanded, in m/s along x")
+      .add_option(
+          "--forward", request.forward_m_s,
+          "Velocity that is commanded, in m/s: to a policy along x, to --controller stepping "
+          "along the way that the robot faces")
       .otherwise("none")
-      .between(-20.0, 20.0);
+      .between(-20.0, 20.0)
+      .stated_as("forward_m_s", kSurroundingsPlace);
 }
 
 void add_verdict_options(command_line::Command& command, HopperReplayRequest& request) {
@@ -157,6 +160,11 @@ void add_verdict_options(command_line::Command& command, HopperReplayRequest& re
                   "How far a slide may be from the motion's last posture, in m")
       .between(1e-4, 100.0)
       .stated_as("slide_tolerance_m", kTolerancesPlace);
+  command
+      .add_option("--speed-tolerance", deeds.speed_m_s,
+                  "By how much hops may miss the speed --forward, in m/s")
+      .between(1e-3, 100.0)
+      .stated_as("speed_tolerance_m_s", kTolerancesPlace);
 }
 
 void add_trial_options(command_line::Command& command, HopperReplayRequest& request) {

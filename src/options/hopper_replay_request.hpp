@@ -35,7 +35,7 @@ struct HopperReplayRequest {
   double contact_time_constant_s = 0.001;
   std::vector<std::string> pushes;    ///< As read_pushes() takes them.
   std::string task;                   ///< Of a policy; empty: as its document says.
-  std::optional<double> forward_m_s;  ///< Command to a policy; empty: 0.
+  std::optional<double> forward_m_s;  ///< Command to a policy or a controller that follows one.
   hopper::DeedTolerances deeds;
   bool sweep = false;
   std::uint64_t trials = 0;  ///< 0: one run as documented.

@@ -132,6 +132,29 @@ TEST_F(HopperCheck, RefusesTwoColumnsThatMayBeTheTime) {
             check(crane(), swing(0.5)).exit_code);
 }
 
+// Oracle: a count. As many runs as its charge goes into the battery are done, and one more is not.
+TEST_F(HopperCheck, RunsThatDrainTheBatteryAreAViolation) {
+  json robot = crane();
+  robot["battery"] = {{"series_cells", 16},
+                      {"parallel_cells", 1},
+                      {"cell_open_circuit_V", 4.2},
+                      {"cell_resistance_ohm", 0.0},
+                      {"cell_capacity_Ah", 0.1}};
+  const auto charge = [&](std::size_t runs, int exit_code) {
+    const Outcome outcome = check(robot, swing(0.5), {"--json", "--repeat", std::to_string(runs)});
+    EXPECT_EQ(outcome.exit_code, exit_code) << outcome.out << outcome.err;
+    for (const json& finding : json::parse(outcome.out)["findings"]) {
+      if (finding["rule"] == "battery-charge") return finding;
+    }
+    return json();
+  };
+  const json once = charge(1, 0);
+  EXPECT_EQ(once["limit"], 0.1);
+  const auto most = static_cast<std::size_t>(0.1 / once["value"].get<double>());
+  EXPECT_EQ(charge(most, 0)["severity"], "note");
+  EXPECT_EQ(charge(most + 1, 1)["severity"], "violation");
+}
+
 // Oracle: statics. The arm's weight at 0.5 m is 4.905 Nm at the elbow where it lies flat.
 TEST_F(HopperCheck, PassesAndReportsByItsSchema) {
   const Outcome outcome = check(crane(), swing(0.0), {"--json"});

@@ -75,6 +75,7 @@ TEST_F(HopperFlip, RefusesDistancesThatItsTaskDoesNotHave) {
   expect_refusal({"--task", "hop", "--speed", "-0.5", "--stride", "0.2"},
                  "does not go where a --stride of 0.2 m goes");
   expect_refusal({"--task", "hop", "--land-at", "2"}, "--land-at");
+  expect_refusal({"--task", "hop", "--repeat", "1", "--alike"}, "--alike: is of hops that follow");
   expect_refusal({"--task", "hop", "--land-at", "0.085"}, "a --stride of 0.27 m or more");
 }
 

@@ -12,7 +12,7 @@
               constraint(feet_on_the_ground) constraint(goes_on) constraint(impact)               \
                   constraint(feet_stop) constraint(impulse) constraint(base_upright)              \
                       constraint(landing_load) constraint(mass_over_the_sole)                     \
-                          constraint(capture_point) constraint(pace)
+                          constraint(capture_point) constraint(pace) constraint(alike)
 
 namespace torquewright::hopper::constraints {
 

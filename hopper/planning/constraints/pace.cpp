@@ -14,7 +14,9 @@ void add(const Site& site, optimization::Program& program) {
   for (std::size_t p = 0; p < site.mesh.size(); ++p) {
     const std::size_t before = flights_before(site.mesh, p);
     const bool is_between = before > 0 && before < flights;
-    if (is_between || site.mesh[p].stance.is_flight()) durations.push_back(site.phases[p].duration);
+    const bool is_flight = site.mesh[p].stance.is_flight();
+    if (site.options.has_alike_hops && is_flight && before + 1 == flights) break;
+    if (is_between || is_flight) durations.push_back(site.phases[p].duration);
   }
   const auto count = static_cast<Eigen::Index>(durations.size());
   program.add_rows(std::make_unique<const AffineRows>(

@@ -23,14 +23,16 @@ std::size_t count_of_flights(const std::vector<Stance>& stances) {
                                                 [](const Stance& one) { return one.is_flight(); }));
 }
 
-/// From the first take-off to the last touch-down the foot goes all strides.
+/// From the first take-off to the last touch-down the foot goes all strides; of hops that are alike
+/// to the last take-off, by when it has gone all but one.
 void set_pace(double flights, const PlanOptions& options, PlanGoal& goal) {
   if (!options.speed_m_s) return;
+  const double strides = options.has_alike_hops ? flights - 1.0 : flights;
   if (!goal.stride_m) {
     const double flight_s = 2.0 * std::sqrt(2.0 * options.rise_m / dynamics::kGravity_m_s2);
-    goal.stride_m = *options.speed_m_s * (flight_s + kUsualStance_s * (flights - 1.0) / flights);
+    goal.stride_m = *options.speed_m_s * (flight_s + kUsualStance_s * (flights - 1.0) / strides);
   }
-  goal.hops_s = flights * *goal.stride_m / *options.speed_m_s;
+  goal.hops_s = strides * *goal.stride_m / *options.speed_m_s;
 }
 
 void require_flat_between(const std::vector<Stance>& stances) {

@@ -32,7 +32,8 @@ constexpr const char* kPlace = "--explain";
 struct Direction {
   Variable variable;
   double sign = 1.0;                 ///< +1 up, -1 down.
-  const MarginPart* part = nullptr;  ///< Of the reserve; null: it is the robot that is changed.
+  const MarginPart* part = nullptr;  ///< Of the reserve; null: something else is changed,
+  bool is_speed = false;             ///< the speed that was asked for, or else the robot.
 
   double value(std::size_t rung) const {
     if (part == nullptr) return variable.present * (1.0 + sign * kShares[rung]);
@@ -106,8 +107,19 @@ std::vector<Direction> parts_of_reserve(const PlanOptions& options) {
   return directions;
 }
 
+/// Less of the speed that hops are asked for.
+Direction slower(double speed_m_s) {
+  Direction less{{}, -1.0, nullptr, true};
+  less.variable.name = "speed";
+  less.variable.unit = "m/s";
+  less.variable.present = speed_m_s;
+  return less;
+}
+
 std::vector<Direction> directions_of(const Robot& robot, const PlanOptions& options) {
-  std::vector<Direction> directions = parts_of_reserve(options);
+  std::vector<Direction> directions;
+  if (options.speed_m_s) directions.push_back(slower(*options.speed_m_s));
+  for (Direction& part : parts_of_reserve(options)) directions.push_back(std::move(part));
   directions.push_back({voltage(robot, options.check), 1.0});
   directions.push_back({named(robot, "current"), 1.0});
   for (const Variable& ratio : moved_ratios(robot)) {
@@ -115,8 +127,9 @@ std::vector<Direction> directions_of(const Robot& robot, const PlanOptions& opti
     directions.push_back({ratio, 1.0});
   }
   directions.push_back({named(robot, "mass"), -1.0});
-  std::erase_if(directions,
-                [&](const Direction& one) { return one.part == nullptr && !is_known(robot, one); });
+  std::erase_if(directions, [&](const Direction& one) {
+    return one.part == nullptr && !one.is_speed && !is_known(robot, one);
+  });
   return directions;
 }
 
@@ -148,11 +161,12 @@ std::optional<bool> Attempts::has_plan(const Direction& direction, double value,
   PlanOptions options = options_;
   options.most_seconds = left.count();
   if (direction.part != nullptr) options.margins.*direction.part->margin = value;
+  if (direction.is_speed) options.speed_m_s = value;
   std::optional<double>& bus_voltage_V = options.check.conditions.bus_voltage_V;
-  const bool is_of_bus =
-      direction.part == nullptr && variable.quantity == Quantity::kVoltage && bus_voltage_V;
+  const bool is_stated = direction.part != nullptr || direction.is_speed;
+  const bool is_of_bus = !is_stated && variable.quantity == Quantity::kVoltage && bus_voltage_V;
   if (is_of_bus) bus_voltage_V = value;
-  const bool is_of_robot = direction.part == nullptr && !is_of_bus;
+  const bool is_of_robot = !is_stated && !is_of_bus;
   try {
     const Robot changed = is_of_robot ? varied(robot_, variable, value) : robot_;
     const PlanStatus status = search_plan(changed, options).status;

@@ -69,7 +69,8 @@ struct PlanOptions {
   /// Mean speed of the foot from the first take-off to the last touch-down, its sign the stride's;
   /// empty: free.
   std::optional<double> speed_m_s;
-  int repeat = 1;  ///< Flights in a row, where `stances` does not say how many.
+  int repeat = 1;               ///< Flights in a row, where `stances` does not say how many.
+  bool has_alike_hops = false;  ///< Whether every flight begins as the one before.
   /// How high the ground is where each flight lands, over that where the motion begins; the last
   /// holds for all that follow. Empty: flat ground.
   std::vector<double> landings_m;

@@ -16,6 +16,9 @@ void require_repeat(const hopper::PlanOptions& plan) {
   if (plan.repeat > 1 && !plan.task->takes_repeat) {
     io::refuse("--repeat", "is for jumps and hops: a flip comes down from a single turn");
   }
+  if (plan.has_alike_hops && plan.repeat < 2) {
+    io::refuse("--alike", "is of hops that follow each other: --repeat 2 or more");
+  }
   if (plan.repeat > 1 && !plan.stances.empty()) {
     io::refuse("--repeat", "and --contacts both say how often it flies: leave out one of them");
   }

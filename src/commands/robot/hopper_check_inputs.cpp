@@ -5,8 +5,10 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "hopper/motion/further_hops.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/text/wording.hpp"
 #include "robot/draft/limit_drives.hpp"
@@ -113,6 +115,9 @@ HopperCheckRead read_inputs(const HopperCheckRequest& request) {
   inputs.columns = source.documents;
   inputs.check = check_options(request, inputs.robot);
   read.motion = motion_in(source, inputs.robot.robot);
+  if (request.hops > 0) {
+    read.motion = hopper::with_flights(inputs.robot.robot, std::move(read.motion), request.hops);
+  }
   require_all_torques(inputs.robot.robot, read.motion, inputs.check.torques);
   inputs.candidates = candidate_set_of(request, inputs.robot);
   return read;

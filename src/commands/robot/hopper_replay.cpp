@@ -158,6 +158,7 @@ hopper::ReplayOptions replay_options(const HopperReplayRequest& request,
   options.verdict.standing.at_rest_s =
       std::min(options.verdict.standing.at_rest_s, 0.5 * request.stand_s);
   options.verdict.deeds = request.deeds;
+  if (options.controller->has_speed) options.forward_m_s = request.forward_m_s;
   options.load_window_s = request.motion.check.load_window_s;
   options.filters_noise = !request.without_filter;
   options.conditions = inputs.check.conditions;
@@ -266,8 +267,10 @@ namespace {
 /// What only a policy has.
 void require_no_task(const HopperReplayRequest& request) {
   if (!request.task.empty()) io::refuse("--task", "is for policies: a motion is its own task");
-  if (request.forward_m_s)
-    io::refuse("--forward", "commands a policy; a motion goes as it is planned");
+  if (request.forward_m_s && !hopper::controller_named(request.controller).has_speed) {
+    io::refuse("--forward",
+               "commands a policy or --controller stepping; else a motion goes as it is planned");
+  }
 }
 
 /// What a controller of tasks weighs, where a document says so.

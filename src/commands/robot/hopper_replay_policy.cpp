@@ -33,6 +33,7 @@ void require_no_tracking(const HopperReplayRequest& request) {
   refuse_if(request.without_filter, "--no-filter");
   refuse_if(!request.motion.columns.empty() || !request.motion.columns_files.empty(), "--column");
   refuse_if(!request.pushes.empty(), "--push");
+  refuse_if(request.motion.hops > 0, "--hops");
 }
 
 hopper::Task task_of(const HopperReplayRequest& request, const hopper::PolicyDocument& document) {

@@ -45,11 +45,13 @@ std::string load_lines(const PlanResult& result) {
   return text;
 }
 
-/// Effects of the drives' documents that neither plan nor check reckon with.
-std::string left_out_lines(const PlanResult& result) {
+/// What of the check a plan's reader is told: charge taken, and effects of the drives' documents
+/// that neither plan nor check reckon with.
+std::string finding_lines(const PlanResult& result) {
   std::string text;
   if (!result.check) return text;
   for (const hopper::Finding& finding : result.check->check.findings) {
+    if (finding.rule == "battery-charge") text += "  charge   " + finding.sentence + "\n";
     if (finding.rule == "effect-left-out") text += "  left out " + finding.sentence + "\n";
   }
   return text;
@@ -125,7 +127,7 @@ std::string flip_text(const FlipAnswer& answer) {
   const std::string proof = proof_words(result);
   if (!proof.empty()) text += "  " + proof + "\n";
   text += motion_lines(answer);
-  text += load_lines(result) + left_out_lines(result);
+  text += load_lines(result) + finding_lines(result);
   text += margin_lines(result.least_margins);
   text += reserve_lines(answer) + answer.chosen_reserve;
   text += binding_lines(result.binding);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "dynamics/point.hpp"
+#include "hopper/motion/further_hops.hpp"
 #include "io/faults/spec_error.hpp"
 #include "tests/hopper/planning/planned.hpp"
 
@@ -119,6 +120,30 @@ TEST(PlannedHops, StandWhenTheyAreReplayed) {
     EXPECT_EQ(run.outcome.verdict, ReplayVerdict::kStands) << run.outcome.reason;
     EXPECT_EQ(run.outcome.landings.size(), 2u);
   }
+}
+
+// Oracles: the samples' kinematics, and `hopper check` of a motion of six hops, most of which no
+// programme has seen.
+TEST(PlannedHops, ThatAreAlikeGoOnAtTheirSpeed) {
+  constexpr double kAlikeSpeed_m_s = -0.4;
+  PlanOptions options;
+  options.task = &tasks::hop;
+  options.repeat = 2;
+  options.has_alike_hops = true;
+  options.speed_m_s = kAlikeSpeed_m_s;
+  options.intervals = 16;
+  options.most_error_rad = 0.02;
+  const Robot& robot = test::hopper_robot_of_plans();
+  const PlanResult two = plan_motion(robot, options);
+  ASSERT_EQ(two.status, PlanStatus::kPlanned) << two.reason;
+  Motion six = with_flights(robot, two.motion, 6);
+  const double hop_s = (six.duration_s() - two.motion.duration_s()) / 4.0;
+  const double way_m =
+      six.positions(0, six.samples() - 1) - two.motion.positions(0, two.motion.samples() - 1);
+  EXPECT_NEAR(way_m, 4.0 * hop_s * kAlikeSpeed_m_s, 4.0 * kHopPlace_m);
+  const HopperReport report = check_motion(robot, six, {});
+  EXPECT_EQ(report.check.verdict, actuator::Verdict::kPass);
+  EXPECT_EQ(report.flights.size(), 6u);
 }
 
 TEST(PlannedHops, StepsWithoutRoomAreRefusedByName) {

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "dynamics/gravity.hpp"
+#include "hopper/verdict/goal.hpp"
 #include "hopper/verdict/verdict.hpp"
 #include "robot/model/robot_spec.hpp"
 
@@ -261,6 +262,42 @@ TEST(ReplayDeeds, TheJointThatIsFarthestOffIsNamed) {
   wider.joint_rad = 0.32;
   wider.place_m = 0.2;  // the leg leans: 0.49 m sin(0.31)
   EXPECT_EQ(judged(planned, sank, wider).verdict, ReplayVerdict::kStands);
+}
+
+/// Turned about the vertical, as far as it has hopped.
+Record turned(Record record, double turn_rad) {
+  const double cosine = std::cos(turn_rad), sine = std::sin(turn_rad);
+  for (RecordRow& row : record.rows) {
+    row.position.head<2>() = Eigen::Vector2d(cosine * row.position[0], sine * row.position[0]);
+    row.position[3] = std::cos(0.5 * turn_rad);
+    row.position[6] = std::sin(0.5 * turn_rad);
+  }
+  return record;
+}
+
+// From the first landing, at 0.6 s, to the last, at 1.4 s, it goes 0.2 m its own way.
+TEST(ReplayDeeds, HopsAtACommandedSpeedAreJudgedByItWhicheverWayTheyFace) {
+  Course course;
+  course.hops = {{0.3, 0.3, 0.1}, {0.7, 0.3, 0.1}, {1.1, 0.3, 0.1}};
+  course.ends_s = 2.0;
+  const Reference ends = motion_of(course);
+  Goal goal;
+  goal.least_flights = goal.most_flights = 3;
+  goal.landings_s = {0.6, 1.0, 1.4};
+  for (const double turn_rad : {0.0, 1.2}) {
+    for (const auto& [commanded_m_s, verdict] :
+         {std::pair{0.3, ReplayVerdict::kStands}, {0.4, ReplayVerdict::kMissed}}) {
+      goal.forward_m_s = commanded_m_s;
+      const ReplayOutcome outcome =
+          outcome_of(deed_robot(), ends, goal, turned(run_of(course), turn_rad), {});
+      const Deed& speed = deed_named(outcome, "hopping_speed");
+      EXPECT_NEAR(speed.done, 0.25, 1e-9);
+      EXPECT_NEAR(speed.off, commanded_m_s - 0.25, 1e-9);
+      EXPECT_NEAR(deed_named(outcome, "heading").done, turn_rad, 1e-9);
+      EXPECT_EQ(outcome.verdict, verdict) << outcome.reason;
+      EXPECT_NEAR(outcome.landings.back().planned_s, 1.4, 1e-12);
+    }
+  }
 }
 
 }  // namespace

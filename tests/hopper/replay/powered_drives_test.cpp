@@ -108,6 +108,21 @@ TEST(PoweredDrives, BalanceTheirPower) {
   EXPECT_GT(clipped, 500);
 }
 
+// Oracle: Kirchhoff's quadratic. 50 Nm at 4 rad/s take 200 W and 10 A in half an ohm, 250 W, of a
+// battery of 50 V behind 0.4 ohm; what is asked for beforehand is no part of a run.
+TEST(PoweredDrives, CountTheChargeThatLeavesTheBattery) {
+  constexpr double kPower_W = 250.0, kBattery_ohm = 0.4;
+  constexpr int kSteps = 1000;
+  const double current_A =
+      (50.0 - std::sqrt(50.0 * 50.0 - 4.0 * kBattery_ohm * kPower_W)) / (2.0 * kBattery_ohm);
+  PoweredDrives drives = one_drive(round_drive(kBattery_ohm));
+  step_of(drives, 50.0, 4.0);
+  drives.start();
+  for (int i = 0; i < kSteps; ++i) step_of(drives, 50.0, 4.0);
+  ASSERT_EQ(drives.drawn_Ah().size(), 1u);
+  EXPECT_NEAR(drives.drawn_Ah()[0], current_A * kSteps * kStep_s / 3600.0, 1e-12);
+}
+
 // Oracle: a supply without resistance has one voltage.
 TEST(PoweredDrives, OfAStiffSupplyKeepTheirVoltageAndRegion) {
   PoweredDrives drives = one_drive(actuator::round_actuator());
