@@ -15,6 +15,9 @@ constexpr int kSweepsBeforeNewton = 2;
 constexpr int kSweepsBetweenNewton = 10;
 /// After so many a creep that nobody sees is taken for rest.
 constexpr int kPatientSweeps = 200;
+/// From then on sweeps go half as far: where one point is about to slide while another slides whole
+/// ones may go round in a circle.
+constexpr double kShortened = 0.5;
 
 /// One point while the others' impulses stand.
 PointResponse alone(const ContactProblem& problem, const Eigen::VectorXd& impulse_N_s, Index k) {
@@ -41,7 +44,11 @@ bool solve_contacts(const ContactProblem& problem, NewtonMemory& memory,
       const Eigen::Vector3d impulse = coulomb_impulse_N_s(point);
       const Eigen::Vector3d change = impulse - impulse_N_s.segment<3>(3 * k);
       change_m_s = std::max(change_m_s, (point.response_1_kg * change).cwiseAbs().maxCoeff());
-      impulse_N_s.segment<3>(3 * k) = impulse;
+      if (sweep < kPatientSweeps) {
+        impulse_N_s.segment<3>(3 * k) = impulse;
+      } else {
+        impulse_N_s.segment<3>(3 * k) += kShortened * change;
+      }
     }
     if (change_m_s <= tolerance_m_s) return true;
     if (sweep >= kPatientSweeps && change_m_s <= kMostCreep_m_s) return true;
