@@ -143,7 +143,8 @@ TEST_F(HopperCheck, RunsThatDrainTheBatteryAreAViolation) {
   const auto charge = [&](std::size_t runs, int exit_code) {
     const Outcome outcome = check(robot, swing(0.5), {"--json", "--repeat", std::to_string(runs)});
     EXPECT_EQ(outcome.exit_code, exit_code) << outcome.out << outcome.err;
-    for (const json& finding : json::parse(outcome.out)["findings"]) {
+    const json report = json::parse(outcome.out);
+    for (const json& finding : report["findings"]) {
       if (finding["rule"] == "battery-charge") return finding;
     }
     return json();
