@@ -250,7 +250,7 @@ struct NamingKey {
 /// Its own, and those of the checks that a replay uses.
 Names replay_rules() {
   Names rules = rules_in({"hopper/replay", "hopper/replay_report", "hopper/skill"});
-  rules.insert({"assumed", "transmission-load"});
+  rules.insert({"assumed", "battery-charge", "transmission-load"});
   return rules;
 }
 
