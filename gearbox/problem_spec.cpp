@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "gearbox/any_topology.hpp"
 #include "gearbox/floors.hpp"
 #include "gearbox/train_parts.hpp"
 #include "io/documents/document.hpp"
@@ -23,11 +24,6 @@ namespace {
 
 using nlohmann::json;
 using nlohmann::literals::operator""_json_pointer;
-
-/// The gears that have minima.
-std::vector<std::string> free_gears(const TrainParts& parts) {
-  return {parts.gears.begin(), parts.gears.begin() + static_cast<std::ptrdiff_t>(parts.free_gears)};
-}
 
 /// Whose train equations (1)...(9) describe.
 std::string_view the_papers_topology() {
@@ -134,12 +130,12 @@ class Reader {
   }
 
   void read_parts() {
-    const TrainParts& parts = train_parts(problem_.topology);
-    for (const std::string& gear : check_members("min_teeth", free_gears(parts))) {
+    const std::vector<std::string> gears = gears_with_minima(problem_.topology);
+    for (const std::string& gear : check_members("min_teeth", gears)) {
       problem_.min_teeth[gear] = root()["min_teeth"][gear];
     }
     if (!root().contains("face_width_mm")) return;
-    for (const std::string& layer : check_members("face_width_mm", parts.layer_names())) {
+    for (const std::string& layer : check_members("face_width_mm", layers_of(problem_.topology))) {
       problem_.face_width_mm[layer] = rational(root()["face_width_mm"][layer]);
     }
   }
@@ -246,7 +242,7 @@ class Reader {
                          written("min_face_width_mm", request.least_face_width_mm),
                          written("max_face_width_mm", *greatest)));
     }
-    if (keys.contains("layer_2_module_mm") && train_parts(problem_.topology).layer_count() < 2) {
+    if (keys.contains("layer_2_module_mm") && layers_of(problem_.topology).size() < 2) {
       report("/synthesis/layer_2_module_mm",
              fmt::format("the topology \"{}\" has one layer only", problem_.topology));
     }
@@ -268,8 +264,18 @@ class Reader {
     }
   }
 
+  /// What only a synthesis searches.
+  void check_topology() {
+    const TrainParts* parts = find_train_parts(problem_.topology);
+    if (parts == nullptr || !parts->is_the_papers) refuse_the_papers();
+    if (problem_.synthesis || (parts != nullptr && !parts->needs_synthesis)) return;
+    report("/synthesis", fmt::format("missing; the topology \"{}\" is searched with it only ({{}} "
+                                     "will do)",
+                                     problem_.topology));
+  }
+
   void check_combinations() {
-    if (!train_parts(problem_.topology).is_the_papers) refuse_the_papers();
+    check_topology();
     check_hob();
     check_shaper();
     const std::string objective = root()["objective"];
@@ -346,7 +352,29 @@ class Reader {
 
 }  // namespace
 
-Problem read_problem(const io::Document& document) { return Reader(document).read(); }
+Problem read_problem(const io::Document& document) {
+  if (document.root["topology"] == kAnyTopology) {
+    throw io::SpecError({{document.file, document.path + "/topology",
+                          "\"any\" leaves it open, which optimize, pareto and design of a problem "
+                          "with /synthesis close; state one"}});
+  }
+  return read_open_problem(document);
+}
+
+Problem read_open_problem(const io::Document& document) { return Reader(document).read(); }
+
+json as_topology(const json& problem, const TrainParts& parts) {
+  json own = problem;
+  own["topology"] = parts.name;
+  const std::vector<std::string> gears = gears_with_minima(parts.name);
+  for (const auto& minimum : problem["min_teeth"].items()) {
+    if (std::find(gears.begin(), gears.end(), minimum.key()) == gears.end()) {
+      own["min_teeth"].erase(minimum.key());
+    }
+  }
+  if (parts.layer_count() < 2) own["synthesis"].erase("layer_2_module_mm");
+  return own;
+}
 
 bool may_be_stated(const std::string& pointer, double value) {
   std::string place = pointer;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "gearbox/problem.hpp"
+#include "gearbox/train_parts.hpp"
 
 namespace torquewright::io {
 struct Document;
@@ -14,6 +17,12 @@ namespace torquewright::gearbox {
 /// the topology does not have, an objective without the values it needs (friction, face widths,
 /// density).
 Problem read_problem(const io::Document& document);
+
+/// The same for whoever lets the synthesis choose: the topology may be open (any_topology.hpp).
+Problem read_open_problem(const io::Document& document);
+
+/// The keys of a problem whose topology is open as those of one topology.
+nlohmann::json as_topology(const nlohmann::json& problem, const TrainParts& parts);
 
 /// Whether the schema of problems admits that number at that place, such as "/min_teeth/sun".
 /// Requires a key that holds a number.

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "gearbox/any_topology.hpp"
 #include "gearbox/train_parts.hpp"
 #include "io/documents/json_reader.hpp"
 #include "io/files/file_bytes.hpp"
@@ -19,11 +20,11 @@ using Defaults = std::vector<std::pair<std::string, json>>;
 
 /// 12 of every gear that has a minimum. A topology that the schema refuses is not spoken of here.
 json least_teeth(const json& topology) {
-  const TrainParts* parts =
-      topology.is_string() ? find_train_parts(topology.get<std::string>()) : nullptr;
-  if (parts == nullptr) parts = &all_train_parts().front();
+  std::vector<std::string> gears;
+  if (topology.is_string()) gears = gears_with_minima(topology.get<std::string>());
+  if (gears.empty()) gears = gears_with_minima(all_train_parts().front().name);
   json teeth = json::object();
-  for (std::size_t i = 0; i < parts->free_gears; ++i) teeth[std::string(parts->gears[i])] = 12;
+  for (const std::string& gear : gears) teeth[gear] = 12;
   return teeth;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,10 +25,21 @@ struct TrainParts {
   std::size_t free_gears = 0;            ///< The first so many are free; the rings follow.
   std::vector<std::size_t> gear_layers;  ///< Of each gear: 0 where the sun stands.
   std::size_t held_ring = 0;             ///< Which gear it is.
-  std::vector<MeshedGears> meshes;       ///< The sun's first, then those of the rings.
-  bool is_the_papers = false;            ///< Equations (1)...(9) of seed 001 describe it.
+  /// Which gear it is; absent: the carrier is the output.
+  std::optional<std::size_t> output_ring = {};
+  std::vector<MeshedGears> meshes;  ///< The sun's first, then those of the rings.
+  bool is_the_papers = false;       ///< Equations (1)...(9) of seed 001 describe it.
+  bool needs_synthesis = false;     ///< No search of teeth alone knows it.
 
   bool is_ring(std::size_t gear) const { return gear >= free_gears; }
+  bool is_planet(std::size_t gear) const { return gear > 0 && !is_ring(gear); }
+  static std::size_t planet_of_layer(std::size_t layer) { return 1 + layer; }
+  /// Nothing where the layer's planet meets none.
+  std::optional<std::size_t> ring_of_layer(std::size_t layer) const;
+  /// The planet that a central gear, sun or ring, rolls on.
+  std::size_t planet_beside(std::size_t central) const {
+    return planet_of_layer(gear_layers[central]);
+  }
   std::size_t layer_count() const;
   /// layer_1, ...: keys of face widths in documents.
   std::vector<std::string> layer_names() const;

@@ -104,12 +104,19 @@ ConstraintReport trochoid(const CutTrain& cut, const CutMesh& mesh) {
 std::vector<ConstraintReport> existence_conditions(const GearTrain& train) {
   const std::optional<CutTrain> cut = cut_train(train);
   if (!cut) return {};
-  const std::size_t held_ring = train_parts(train.topology).held_ring;
-  std::vector<ConstraintReport> list{
-      equal_spacing(train.teeth[0], train.teeth[held_ring], train.planet_count)};
+  const TrainParts& parts = train_parts(train.topology);
+  std::vector<ConstraintReport> list;
+  // Planets without a ring beside the sun stand at equal angles, alike or not.
+  if (const auto ring = parts.ring_of_layer(0)) {
+    list.push_back(equal_spacing(train.teeth[0], train.teeth[*ring], train.planet_count,
+                                 *ring == parts.held_ring ? "held ring" : "output ring"));
+  }
   const std::span rings = std::span(cut->meshes).subspan(1);
-  for (const CutMesh& mesh : rings) list.push_back(neighbours(*cut, cut->gears[mesh.gear_1]));
+  for (std::size_t gear = 1; gear < parts.free_gears; ++gear) {
+    list.push_back(neighbours(*cut, cut->gears[gear]));
+  }
   list.push_back(tip_thickness(cut->gears.front()));
+  if (!parts.ring_of_layer(0)) list.push_back(tip_thickness(cut->gears[1]));
   if (!is_plain(train) || train.cutters.hob_addendum) {
     list.push_back(
         external_root_form(*cut, cut->meshes.front(), train.cutters.hob_tip_radius.value_or(0.0)));

@@ -26,9 +26,13 @@ void sharpen(GearCutter& cutter, const std::optional<double>& largest) {
   cutter.tip_radius = std::clamp(*largest, 0.0, cutter.tip_radius);
 }
 
-GearCutter hob_of_planet(const CutTrain& train, const CutMesh& mesh) {
-  GearCutter cutter = hob_of(train.gears[mesh.gear_1], train.train.cutters);
-  sharpen(cutter, largest_hob_tip_radius(planet_in_ring(train, mesh)));
+/// It leaves the involutes that the planet's rings touch.
+GearCutter hob_of_planet(const CutTrain& train, std::size_t planet) {
+  GearCutter cutter = hob_of(train.gears[planet], train.train.cutters);
+  for (const CutMesh& mesh : std::span(train.meshes).subspan(1)) {
+    if (mesh.gear_1 != planet) continue;
+    sharpen(cutter, largest_hob_tip_radius(planet_in_ring(train, mesh)));
+  }
   return cutter;
 }
 
@@ -57,7 +61,9 @@ std::string_view if_assumed(bool assumed) { return assumed ? " (assumed)" : ""; 
 std::vector<GearCutter> gear_cutters(const CutTrain& train) {
   std::vector<GearCutter> list{hob_of(train.gears.front(), train.train.cutters)};
   const std::span rings = std::span(train.meshes).subspan(1);
-  for (const CutMesh& mesh : rings) list.push_back(hob_of_planet(train, mesh));
+  for (std::size_t gear = 1; !train.gears[gear].internal; ++gear) {
+    list.push_back(hob_of_planet(train, gear));
+  }
   if (const auto largest = largest_hob_tip_radii(train, train.meshes.front())) {
     sharpen(list[0], (*largest)[0]);
     sharpen(list[1], (*largest)[1]);

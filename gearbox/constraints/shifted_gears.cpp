@@ -93,6 +93,16 @@ ConstraintReport sun_under_layer_2(const CutTrain& train) {
   return judge(condition);
 }
 
+ConstraintReport planet_room(const Problem& problem, const CutGear& planet, double centre_mm) {
+  DesignCondition condition{fmt::format("planet_room.{}", planet.name), ring_space_key(problem),
+                            "mm", Sense::kAtMost};
+  condition.value = fraction_of(2.0 * centre_mm) + length_mm(planet, planet.tip_diameter);
+  condition.limit = ring_space_mm(problem);
+  condition.meaning = "across the tips of opposite planets, which no ring encloses";
+  condition.remedy = "needs a smaller planet or a shorter centre distance";
+  return judge(condition);
+}
+
 ConstraintReport ring_wall(const Problem& problem, const CutGear& ring) {
   DesignCondition condition{fmt::format("ring_wall.{}", ring.name), ring_space_key(problem), "mm"};
   const Rational root_mm = length_mm(ring, ring.root_diameter());

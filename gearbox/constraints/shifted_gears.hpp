@@ -26,6 +26,9 @@ ConstraintReport undercut(const Cutters& cutters, const CutGear& gear);
 /// Judges a - r_aS - r_aP2 > 0.
 ConstraintReport sun_under_layer_2(const CutTrain& train);
 
+/// Judges whether planets without a ring stay inside the room that rings' blanks have: 2 a + d_a.
+ConstraintReport planet_room(const Problem& problem, const CutGear& planet, double centre_mm);
+
 ConstraintReport ring_wall(const Problem& problem, const CutGear& ring);
 ConstraintReport ring_tip(const CutGear& ring);
 

@@ -97,18 +97,17 @@ ConstraintReport carrier_clearance(const PlanetCircle& circle, const Rational& m
   return judge(condition);
 }
 
-ConstraintReport equal_spacing(std::int64_t sun, std::int64_t held_ring,
-                               std::int64_t planet_count) {
+ConstraintReport equal_spacing(std::int64_t sun, std::int64_t ring, std::int64_t planet_count,
+                               std::string_view ring_name) {
   DesignCondition condition{"equal_spacing", "", "teeth", Sense::kAtMost};
-  condition.value = Rational(spacing_remainder(sun, held_ring, planet_count));
+  condition.value = Rational(spacing_remainder(sun, ring, planet_count));
   condition.limit = 0;
-  condition.meaning =
-      fmt::format("left over when sun + held ring = {} teeth are shared by {} planets",
-                  sun + held_ring, planet_count);
+  condition.meaning = fmt::format("left over when sun + {} = {} teeth are shared by {} planets",
+                                  ring_name, sun + ring, planet_count);
   condition.remedy = fmt::format(
       "needs a number of planets that divides {} ({}), or planets spaced by whole multiples of "
       "{:.4g} rad",
-      sun + held_ring, dividing_counts(sun + held_ring), spacing_unit_rad(sun, held_ring));
+      sun + ring, dividing_counts(sun + ring), spacing_unit_rad(sun, ring));
   return judge(condition);
 }
 

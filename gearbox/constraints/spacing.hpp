@@ -23,8 +23,9 @@ struct PlanetCircle {
 /// Judges pi/n - asin(P/(S + P)) >= alpha_min.
 ConstraintReport carrier_clearance(const PlanetCircle& circle, const Rational& minimum_rad);
 
-/// Judges whether n divides S + R.
-ConstraintReport equal_spacing(std::int64_t sun, std::int64_t held_ring, std::int64_t planet_count);
+/// Judges whether n divides S + R, R the ring in the sun's layer.
+ConstraintReport equal_spacing(std::int64_t sun, std::int64_t ring, std::int64_t planet_count,
+                               std::string_view ring_name = "held ring");
 
 /// Judges whether all stepped planets are alike.
 ConstraintReport identical_planets(const ThreeKTeeth<std::int64_t>& teeth,

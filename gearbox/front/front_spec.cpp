@@ -18,6 +18,7 @@ ordered_json point_json(const ShownFront& shown, const FrontPoint& point) {
   for (std::size_t i = 0; i < design.teeth.size(); ++i) {
     json["teeth"][point.report.gears[i].name] = design.teeth[i];
   }
+  json["topology"] = point.problem.topology;
   json["planet_count"] = design.planet_count;
   json["module_mm"] = io::nearest(design.module_mm);
   if (design.layer_2_module_mm) json["layer_2_module_mm"] = io::nearest(*design.layer_2_module_mm);
@@ -43,14 +44,14 @@ Problem read_front_problem(const io::Document& document, Objective first, Object
   io::Document asked = document;
   if (!document.root.contains("synthesis")) {
     asked.root["objective"] = objective_name(second);
-    read_problem(asked);  // For its faults.
+    read_open_problem(asked);  // For its faults.
   } else if (first != Objective::kMass || !can_be_floor(second)) {
     io::refuse("--objectives",
                "a synthesis weighs mass alone, against forward_efficiency, backward_efficiency or "
                "hollow_shaft: mass,forward_efficiency");
   }
   asked.root["objective"] = objective_name(first);
-  return read_problem(asked);
+  return read_open_problem(asked);
 }
 
 std::string_view objective_unit(Objective objective) {

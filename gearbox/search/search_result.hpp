@@ -37,6 +37,7 @@ struct ConflictMember {
   std::string constraint;
   std::optional<Design> without_it;  ///< A design that satisfies all other members.
   std::string sentence;
+  std::string topology = {};  ///< Of that design, where the problem leaves it open.
 };
 
 /// One bound that would have to give way, alone, and how far at least.

@@ -48,6 +48,13 @@ class MeshBuilder {
   }
 
  private:
+  /// A planet that turns between sun and held ring: the two push it alike, on either side of it. An
+  /// output ring is pushed by the flank that the sun pushes.
+  bool bends_both_ways(std::size_t gear) const {
+    const TrainParts& parts = train_parts(train_.topology);
+    return gear == 1 && parts.gear_layers[parts.held_ring] == 0;
+  }
+
   void object(std::string_view mesh, const char* why) {
     built_.objections.push_back(
         fmt::format("{} do not mesh for teeth {}: {}", mesh, fmt::join(train_.teeth, ","), why));
@@ -60,10 +67,15 @@ class MeshBuilder {
                       std::abs(second.shift - *made.closing_ring_shift) > kShiftTolerance)) {
       return object(made.name, "it does not fit the centre distance of sun and planet");
     }
-    // Planet 1 turns between sun and ring.
-    LoadedMesh mesh{
-        made.name, {first.name, second.name}, {made.gear_1 == 1, made.gear_2 == 1}, *made.cut, 0,
-        {},        first.module_mm,           train_.face_width_mm[first.layer],    force_N};
+    LoadedMesh mesh{made.name,
+                    {first.name, second.name},
+                    {bends_both_ways(made.gear_1), bends_both_ways(made.gear_2)},
+                    *made.cut,
+                    0,
+                    {},
+                    first.module_mm,
+                    train_.face_width_mm[first.layer],
+                    force_N};
     const ShiftedPair& pair = mesh.cut.pair;
     if (pair.teeth_1 < kFewestTeeth || pair.teeth_2 < kFewestTeeth) {
       return object(made.name, "stresses are computed for eight teeth and more");

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "gearbox/any_topology.hpp"
 #include "gearbox/floors.hpp"
 #include "gearbox/topologies/topology.hpp"
 
@@ -35,7 +36,7 @@ std::string what_it_has(const FloorRecord& floor, const Problem& problem,
   Problem asked = sized.problem;
   asked.floors = {};
   asked.floors.*floor.limit = problem.floors.*floor.limit;
-  const auto report = find_topology(problem.topology)->evaluate(asked, sized.design);
+  const auto report = find_topology(sized.problem.topology)->evaluate(asked, sized.design);
   for (const ConstraintReport& constraint : report.constraints) {
     if (constraint.name != floor.name) continue;
     return fmt::format("{} {:.4g} where {} {:.6g}{} is asked for", floor.name, constraint.value,
@@ -77,11 +78,13 @@ Demand load() {
           [](const SizedDesign&) { return std::string("its teeth bear next to nothing"); }};
 }
 
-ConflictMember member(const Demand& demand, const SizedDesign& sized) {
-  return {demand.name, sized.design,
-          fmt::format("Without {} there is {} with {} planets, of {:.4g} kg: {}.", demand.phrase,
-                      fmt::join(sized.design.teeth, "/"), sized.design.planet_count, sized.mass_kg,
-                      demand.had(sized))};
+ConflictMember member(const Demand& demand, const SizedDesign& sized, bool is_open) {
+  return {
+      demand.name, sized.design,
+      fmt::format("Without {} there is {}{} with {} planets, of {:.4g} kg: {}.", demand.phrase,
+                  is_open ? sized.problem.topology + " " : "", fmt::join(sized.design.teeth, "/"),
+                  sized.design.planet_count, sized.mass_kg, demand.had(sized)),
+      is_open ? sized.problem.topology : ""};
 }
 
 }  // namespace
@@ -98,7 +101,7 @@ std::optional<std::vector<ConflictMember>> floor_conflict(const Problem& problem
     demand.leave_out(without);
     const SynthesisResult found = any_design(without, options);
     if (found.best) {
-      members.push_back(member(demand, *found.best));
+      members.push_back(member(demand, *found.best, is_topology_open(problem)));
     } else if (found.status == SynthesisStatus::kInfeasible) {
       kept = std::move(without);
     } else {

@@ -14,10 +14,8 @@ namespace torquewright::gearbox {
 
 /// Whole numbers and modules of a train: what is left is continuous.
 struct TrainChoice {
-  /// Sun, planet 1, planet 2, fixed ring, output ring; a planetary gearbox has no planet 2 and no
-  /// output ring: 0.
+  /// Sun, planet 1, planet 2, ring of the sun's layer, ring of the other; 0: there is none.
   std::array<std::int64_t, 5> teeth{};
-  bool has_second_layer() const { return teeth[2] > 0; }
   std::int64_t planet_count = 0;
   std::array<std::size_t, 2> module{};  ///< By layer: places in the lists of modules.
 };
@@ -40,8 +38,14 @@ inline constexpr double kGreatestRuledShift = 1.1;
 /// All numbers of the inner problem but its three variables. Lengths in mm, in modules where said.
 struct InnerCase {
   std::array<double, 5> teeth{};
+  bool has_first_ring = true;  ///< Without, planet 1 meshes with the sun alone.
   /// Without, the second layer is nothing: of no mass, width or loss, and feasible.
   bool has_second_layer = true;
+  std::size_t held_layer = 0;               ///< Where the held ring is.
+  std::optional<std::size_t> output_layer;  ///< Where the output ring is; absent: the carrier.
+  std::array<double, 2> basic_ratio{};      ///< I1, I2 of train/central_gears.hpp.
+  double carrier_speed_per_sun = 0.0;
+  double planet_speed_per_sun = 0.0;
   double planets = 0.0;
   double sine_of_half_spacing = 0.0;  ///< sin(pi/n)
   std::array<double, 2> module_mm{};  ///< By layer.
@@ -71,13 +75,13 @@ struct InnerCase {
   std::optional<double> max_gear_inertia_kg_m2;  ///< At the output, without the rotor.
   double ratio = 1.0;                            ///< Sun over output.
 
-  /// Tangential force at the reference circle, of one planet's meshes S-P1, P1-F, P2-O, under the
-  /// load: it does not depend on shifts.
+  /// Tangential force at the reference circle, of one planet's meshes with the sun and the ring of
+  /// each layer, under the load: it does not depend on shifts.
   std::array<double, 3> reference_force_N{};
   RootLimit root;
-  double alternating_bending = 1.0;
-  double root_factors = 1.0;   ///< All K and the demanded safety.
-  double flank_factors = 1.0;  ///< All K and the square of the demanded safety.
+  double alternating_bending = 1.0;  ///< Of planet 1: 1 unless it turns between sun and held ring.
+  double root_factors = 1.0;         ///< All K and the demanded safety.
+  double flank_factors = 1.0;        ///< All K and the square of the demanded safety.
   double flank_limit_MPa = 0.0;
   double elasticity = 0.0;
   double density_kg_m3 = 0.0;
@@ -94,7 +98,8 @@ struct LayerValues {
   T mass_per_width_kg_mm;
   /// Inertia at the output of a width, likewise; 0 over boxes where nothing is asked of it.
   T inertia_per_width_kg_m2_mm;
-  /// Basic efficiencies of the layer's meshes, 1 without friction: S-P1 and P1-F, or P2-O and 1.
+  /// Basic efficiencies of the layer's meshes, 1 without friction or mesh: of sun and ring, or of
+  /// the ring and 1.
   std::array<T, 2> efficiency;
 };
 
@@ -117,7 +122,7 @@ std::vector<std::string> margin_names(const InnerCase& inner, std::size_t layer)
 double sun_clearance_mm(const InnerCase& inner, double shift_1, double shift_2);
 
 /// Efficiencies of the train from those of its meshes, growing with each: forwards, backwards.
-std::array<double, 2> train_efficiencies(const InnerCase& inner, double sun_planet_1,
-                                         double planet_1_fixed_ring, double planet_2_output_ring);
+std::array<double, 2> train_efficiencies(const InnerCase& inner, double sun, double first_ring,
+                                         double second_ring);
 
 }  // namespace torquewright::gearbox

@@ -4,6 +4,7 @@
 // docs/derivations/strength.md, roots of docs/derivations/tooth_outline.md.
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
@@ -460,6 +461,18 @@ RingLayer<T> ring_layer(const InnerCase& inner, const T& centre_mm, double modul
   return layer;
 }
 
+/// Of a planet of a layer, whatever it meshes with.
+template <class T>
+void add_planet_margins(const InnerCase& inner, const Gear<T>& planet, const T& centre_mm,
+                        std::size_t which, Gathered<T>& margins) {
+  margins.add("neighbour_clearance", 2.0 * inner.sine_of_half_spacing * centre_mm -
+                                         inner.module_mm[which] * planet.tip -
+                                         inner.min_neighbour_clearance_mm);
+  margins.add("undercut.planet",
+              planet.shift - inner.undercut_depth * (1.0 - planet.teeth * square(kReferenceSine) /
+                                                               (2.0 * inner.undercut_depth)));
+}
+
 /// The cheap ones.
 template <class T>
 void add_ring_margins(const InnerCase& inner, const RingLayer<T>& layer, const T& centre_mm,
@@ -468,11 +481,7 @@ void add_ring_margins(const InnerCase& inner, const RingLayer<T>& layer, const T
   const Gear<T>& planet = mesh.first;
   const Gear<T>& ring = mesh.second;
   const double m = inner.module_mm[which];
-  margins.add("neighbour_clearance", 2.0 * inner.sine_of_half_spacing * centre_mm - m * planet.tip -
-                                         inner.min_neighbour_clearance_mm);
-  margins.add("undercut.planet",
-              planet.shift - inner.undercut_depth * (1.0 - planet.teeth * square(kReferenceSine) /
-                                                               (2.0 * inner.undercut_depth)));
+  add_planet_margins(inner, planet, centre_mm, which, margins);
   const T ring_root = ring.teeth + 2.0 * ring.shift + 2.0 * inner.shaper_depth;
   margins.add("ring_wall", inner.ring_space_mm - 2.0 * inner.wall_mm[which] - m * ring_root);
   margins.add("ring_tip", ring.tip - ring.teeth * kReferenceCosine);
@@ -482,6 +491,16 @@ void add_ring_margins(const InnerCase& inner, const RingLayer<T>& layer, const T
   margins.add("bottom_clearance.planet", 0.5 * m * ring.tip - centre_mm - m * planet_root);
   margins.add("bottom_clearance.ring", 0.5 * m * ring_root - centre_mm - 0.5 * m * planet.tip);
   margins.add("root_form.hob", layer.hob_largest - inner.hob_tip_radius.value_or(0.0));
+}
+
+/// Of a planet that no ring is around.
+template <class T>
+void add_ringless_margins(const InnerCase& inner, const Gear<T>& planet, const T& centre_mm,
+                          Gathered<T>& margins) {
+  add_planet_margins(inner, planet, centre_mm, 0, margins);
+  margins.add("planet_room",
+              inner.ring_space_mm - 2.0 * centre_mm - inner.module_mm[0] * planet.tip);
+  margins.add("tip_thickness.planet", tip_thickness(planet, kExternal) - inner.min_tip_thickness);
 }
 
 template <class T>
@@ -566,13 +585,11 @@ bool is_inertia_asked(const InnerCase& inner) { return inner.max_gear_inertia_kg
 template <class T>
 T planets_inertia_share(const InnerCase& inner, const T& centre_mm, const Gear<T>& planet,
                         std::size_t layer) {
-  const double carrier = carrier_speed_per_sun(inner.teeth[0], inner.teeth[3]);
-  const double spin = planet_speed_per_sun(inner.teeth[0], inner.teeth[1], inner.teeth[3]);
   const double m = inner.module_mm[layer] * 1e-3;
   const T size_squared = square(m * (planet.teeth + 2.0 * planet.shift));
-  const T arm_squared = square(1e-3 * carrier * centre_mm);
+  const T arm_squared = square(1e-3 * inner.carrier_speed_per_sun * centre_mm);
   return square(inner.ratio) * inner.planets * size_squared *
-         (arm_squared + square(spin) / 8.0 * size_squared);
+         (arm_squared + square(inner.planet_speed_per_sun) / 8.0 * size_squared);
 }
 
 template <class T>
@@ -584,21 +601,19 @@ T sun_inertia_share(const InnerCase& inner, const Gear<T>& sun) {
   return square(inner.ratio) / 8.0 * sun_share(inner, sun) * (square(size) + square(bore));
 }
 
-/// Of the output ring, which turns with the output.
+/// Of a ring: that which is the output turns with it.
 template <class T>
-T output_inertia_share(const InnerCase& inner, const Gear<T>& ring) {
-  const double m = inner.module_mm[1] * 1e-3;
-  const double rim = 2.0 * inner.shaper_depth * m + 2.0 * inner.wall_mm[1] * 1e-3;
+T ring_inertia_share(const InnerCase& inner, const Gear<T>& ring, std::size_t layer) {
+  if (inner.output_layer != layer) return T(0.0);
+  const double m = inner.module_mm[layer] * 1e-3;
+  const double rim = 2.0 * inner.shaper_depth * m + 2.0 * inner.wall_mm[layer] * 1e-3;
   const T size = m * (ring.teeth + 2.0 * ring.shift);
-  return 0.125 * ring_share(inner, ring, 1) * (square(size) + square(size + rim));
+  return 0.125 * ring_share(inner, ring, layer) * (square(size) + square(size + rim));
 }
 
-/// The layer of sun, planet 1 and fixed ring.
+/// Sun and planet 1 as they are cut at a centre distance, and their mesh.
 template <class T>
-LayerValues<T> first_layer(const InnerCase& inner, const T& centre_mm, const T& shift_1,
-                           double cutoff_kg, std::vector<std::string>* names) {
-  LayerValues<T> result;
-  Gathered<T> gathered(result, inner.max_face_width_mm[0], cutoff_kg, names);
+Mesh<T> sun_mesh_at(const InnerCase& inner, const T& centre_mm, const T& shift_1) {
   const double m1 = inner.module_mm[0];
   const double between = inner.teeth[0] + inner.teeth[1];
   const T tangent = working_tangent(centre_mm, m1, between);
@@ -609,43 +624,76 @@ LayerValues<T> first_layer(const InnerCase& inner, const T& centre_mm, const T& 
       gear<T>(inner.teeth[0], shifts - shift_1, inner.teeth[0] + 2.0 * (1.0 + increment - shift_1));
   const Gear<T> planet_1 =
       gear<T>(inner.teeth[1], shift_1, inner.teeth[1] + 2.0 * (1.0 + shift_1 + shortening));
-  const Mesh<T> sun_mesh = mesh(kExternal, sun, planet_1, tangent);
-  RingLayer<T> fixed = ring_layer(inner, centre_mm, m1, planet_1, inner.teeth[3]);
-  const std::array<T, 2> hob_largest{
-      largest_hob_radius(inner, sun, lowest_contact(sun_mesh, false)),
-      largest_hob_radius(inner, planet_1, lowest_contact(sun_mesh, true))};
+  return mesh(kExternal, sun, planet_1, tangent);
+}
+
+/// Mass and inertia of a millimetre of the first layer.
+template <class T>
+void set_first_masses(const InnerCase& inner, const T& centre_mm, const Mesh<T>& sun_mesh,
+                      const std::optional<RingLayer<T>>& ring, LayerValues<T>& result) {
+  const Gear<T>& sun = sun_mesh.first;
+  const Gear<T>& planet_1 = sun_mesh.second;
   const double areal_kg = inner.density_kg_m3 * kPi / 4.0 * 1e-3;
+  const T of_ring = ring ? ring_share(inner, ring->mesh.second, 0) : T(0.0);
   result.mass_per_width_kg_mm =
-      areal_kg * (disc_share(inner, planet_1, 0) + ring_share(inner, fixed.mesh.second, 0) +
-                  sun_share(inner, sun));
+      areal_kg * (disc_share(inner, planet_1, 0) + of_ring + sun_share(inner, sun));
+  if (!is_inertia_asked(inner)) {
+    result.inertia_per_width_kg_m2_mm = T(0.0);
+    return;
+  }
+  const T turning = ring ? ring_inertia_share(inner, ring->mesh.second, 0) : T(0.0);
   result.inertia_per_width_kg_m2_mm =
-      is_inertia_asked(inner) ? areal_kg * (sun_inertia_share(inner, sun) +
-                                            planets_inertia_share(inner, centre_mm, planet_1, 0))
-                              : T(0.0);
-  add_ring_margins(inner, fixed, centre_mm, 0, gathered);
+      areal_kg * (sun_inertia_share(inner, sun) +
+                  planets_inertia_share(inner, centre_mm, planet_1, 0) + turning);
+}
+
+/// The layer of the sun, planet 1 and, but in a compound train, a ring.
+template <class T>
+LayerValues<T> first_layer(const InnerCase& inner, const T& centre_mm, const T& shift_1,
+                           double cutoff_kg, std::vector<std::string>* names) {
+  LayerValues<T> result;
+  Gathered<T> gathered(result, inner.max_face_width_mm[0], cutoff_kg, names);
+  const double m1 = inner.module_mm[0];
+  const Mesh<T> sun_mesh = sun_mesh_at(inner, centre_mm, shift_1);
+  const Gear<T>& planet_1 = sun_mesh.second;
+  std::optional<RingLayer<T>> ring;
+  if (inner.has_first_ring) ring = ring_layer(inner, centre_mm, m1, planet_1, inner.teeth[3]);
+  const std::array<T, 2> hob_largest{
+      largest_hob_radius(inner, sun_mesh.first, lowest_contact(sun_mesh, false)),
+      largest_hob_radius(inner, planet_1, lowest_contact(sun_mesh, true))};
+  set_first_masses(inner, centre_mm, sun_mesh, ring, result);
+  if (ring) {
+    add_ring_margins(inner, *ring, centre_mm, 0, gathered);
+  } else {
+    add_ringless_margins(inner, planet_1, centre_mm, gathered);
+  }
   if (gathered.is_over()) return result;
   add_sun_margins(inner, sun_mesh, centre_mm, hob_largest, gathered);
   if (gathered.is_over()) return result;
-  result.efficiency = {mesh_efficiency(inner, sun_mesh), mesh_efficiency(inner, fixed.mesh)};
+  result.efficiency = {mesh_efficiency(inner, sun_mesh),
+                       ring ? mesh_efficiency(inner, ring->mesh) : T(1.0)};
 
   const auto& force = inner.reference_force_N;
   gathered.add_width(T(inner.min_face_width_mm));
-  gathered.add_width(flank_width_mm(inner, fixed.mesh, false, force[1], m1));
+  if (ring) gathered.add_width(flank_width_mm(inner, ring->mesh, false, force[1], m1));
   gathered.add_width(flank_width_mm(inner, sun_mesh, false, force[0], m1));
   gathered.add_width(flank_width_mm(inner, sun_mesh, true, force[0], m1));
   if (gathered.is_over()) return result;
-  const T hob_1 = assumed_radius<T>(inner.hob_tip_radius, kHobTipRadius,
-                                    min(hob_largest[1], fixed.hob_largest));
+  const T hob_1 =
+      assumed_radius<T>(inner.hob_tip_radius, kHobTipRadius,
+                        ring ? T(min(hob_largest[1], ring->hob_largest)) : hob_largest[1]);
   const double alternating = inner.alternating_bending;
-  add_root_width<T>(gathered, inner, fixed.mesh, false, hob_1, force[1], m1, alternating);
-  if (gathered.is_over()) return result;
-  add_dear_ring_margins(inner, fixed, gathered);
-  if (gathered.is_over()) return result;
+  if (ring) {
+    add_root_width<T>(gathered, inner, ring->mesh, false, hob_1, force[1], m1, alternating);
+    if (gathered.is_over()) return result;
+    add_dear_ring_margins(inner, *ring, gathered);
+    if (gathered.is_over()) return result;
+  }
   add_root_width<T>(gathered, inner, sun_mesh, true, hob_1, force[0], m1, alternating);
   const T hob_sun = assumed_radius(inner.hob_tip_radius, kHobTipRadius, hob_largest[0]);
   add_root_width<T>(gathered, inner, sun_mesh, false, hob_sun, force[0], m1, 1.0);
-  if (gathered.is_over()) return result;
-  if (auto width = ring_root_mm(inner, fixed.mesh, fixed.shaper, force[1], m1)) {
+  if (gathered.is_over() || !ring) return result;
+  if (auto width = ring_root_mm(inner, ring->mesh, ring->shaper, force[1], m1)) {
     gathered.add_width(*width);
   }
   return result;
@@ -660,7 +708,7 @@ LayerValues<T> no_layer() {
   return nothing;
 }
 
-/// The layer of planet 2 and output ring.
+/// The layer of planet 2 and its ring.
 template <class T>
 LayerValues<T> second_layer(const InnerCase& inner, const T& centre_mm, const T& shift_2,
                             double cutoff_kg, std::vector<std::string>* names) {
@@ -669,28 +717,28 @@ LayerValues<T> second_layer(const InnerCase& inner, const T& centre_mm, const T&
   Gathered<T> gathered(result, inner.max_face_width_mm[1], cutoff_kg, names);
   const double m2 = inner.module_mm[1];
   const Gear<T> planet_2 = gear<T>(inner.teeth[2], shift_2, inner.teeth[2] + 2.0 * (1.0 + shift_2));
-  RingLayer<T> output = ring_layer(inner, centre_mm, m2, planet_2, inner.teeth[4]);
+  RingLayer<T> ring = ring_layer(inner, centre_mm, m2, planet_2, inner.teeth[4]);
   const double areal_kg = inner.density_kg_m3 * kPi / 4.0 * 1e-3;
   result.mass_per_width_kg_mm =
-      areal_kg * (disc_share(inner, planet_2, 1) + ring_share(inner, output.mesh.second, 1));
+      areal_kg * (disc_share(inner, planet_2, 1) + ring_share(inner, ring.mesh.second, 1));
   result.inertia_per_width_kg_m2_mm =
-      is_inertia_asked(inner) ? areal_kg * (output_inertia_share(inner, output.mesh.second) +
+      is_inertia_asked(inner) ? areal_kg * (ring_inertia_share(inner, ring.mesh.second, 1) +
                                             planets_inertia_share(inner, centre_mm, planet_2, 1))
                               : T(0.0);
-  add_ring_margins(inner, output, centre_mm, 1, gathered);
+  add_ring_margins(inner, ring, centre_mm, 1, gathered);
   if (gathered.is_over()) return result;
-  result.efficiency = {mesh_efficiency(inner, output.mesh), T(1.0)};
+  result.efficiency = {mesh_efficiency(inner, ring.mesh), T(1.0)};
 
   const double force_N = inner.reference_force_N[2];
   gathered.add_width(T(inner.min_face_width_mm));
-  gathered.add_width(flank_width_mm(inner, output.mesh, false, force_N, m2));
+  gathered.add_width(flank_width_mm(inner, ring.mesh, false, force_N, m2));
   if (gathered.is_over()) return result;
-  const T hob_2 = assumed_radius(inner.hob_tip_radius, kHobTipRadius, output.hob_largest);
-  add_root_width<T>(gathered, inner, output.mesh, false, hob_2, force_N, m2, 1.0);
+  const T hob_2 = assumed_radius(inner.hob_tip_radius, kHobTipRadius, ring.hob_largest);
+  add_root_width<T>(gathered, inner, ring.mesh, false, hob_2, force_N, m2, 1.0);
   if (gathered.is_over()) return result;
-  add_dear_ring_margins(inner, output, gathered);
+  add_dear_ring_margins(inner, ring, gathered);
   if (gathered.is_over()) return result;
-  if (auto width = ring_root_mm(inner, output.mesh, output.shaper, force_N, m2)) {
+  if (auto width = ring_root_mm(inner, ring.mesh, ring.shaper, force_N, m2)) {
     gathered.add_width(*width);
   }
   return result;
@@ -727,19 +775,12 @@ double sun_clearance_mm(const InnerCase& inner, double shift_1, double shift_2) 
          inner.module_mm[1] * (0.5 * inner.teeth[2] + 1.0 + shift_2);
 }
 
-std::array<double, 2> train_efficiencies(const InnerCase& inner, double sun_planet_1,
-                                         double planet_1_fixed_ring, double planet_2_output_ring) {
-  if (!inner.has_second_layer) {
-    const PlanetaryMeshEfficiencies<double> meshes{sun_planet_1, planet_1_fixed_ring};
-    const double ratio = inner.teeth[3] / inner.teeth[0];
-    return {planetary_forward_efficiency(ratio, meshes),
-            planetary_backward_efficiency(ratio, meshes)};
-  }
-  const ThreeKMeshEfficiencies<double> mesh{sun_planet_1, planet_1_fixed_ring,
-                                            planet_2_output_ring};
-  const ThreeKTeeth<double> teeth{inner.teeth[0], inner.teeth[1], inner.teeth[2], inner.teeth[3],
-                                  inner.teeth[4]};
-  const double ratio_1 = basic_ratio_1(teeth), ratio_2 = basic_ratio_2(teeth);
+std::array<double, 2> train_efficiencies(const InnerCase& inner, double sun, double first_ring,
+                                         double second_ring) {
+  const std::array<double, 2> rings{first_ring, second_ring};
+  const ThreeKMeshEfficiencies<double> mesh{sun, rings[inner.held_layer],
+                                            inner.output_layer ? rings[*inner.output_layer] : 1.0};
+  const auto& [ratio_1, ratio_2] = inner.basic_ratio;
   return {three_k_forward_efficiency(ratio_1, ratio_2, mesh),
           three_k_backward_efficiency(ratio_1, ratio_2, mesh)};
 }

@@ -24,8 +24,12 @@ bool set_shifts(const Problem& problem, const std::array<double, 3>& point, Desi
   if (!angle) return false;
   const double shifts =
       between * (involute(*angle) - kReferenceInvolute) / (2.0 * kReferenceTangent);
-  design.profile_shift = {shifts - point[1], point[1], point[2], 0.0, 0.0};
-  if (design.teeth.size() == 3) design.profile_shift = {shifts - point[1], point[1], 0.0};
+  const TrainParts& parts = train_parts(problem.topology);
+  design.profile_shift.assign(parts.gears.size(), 0.0);
+  design.profile_shift[0] = shifts - point[1];
+  for (std::size_t layer = 0; layer < parts.layer_count(); ++layer) {
+    design.profile_shift[TrainParts::planet_of_layer(layer)] = point[1 + layer];
+  }
   const GearTrain open = gear_train(problem, design);
   const auto cut = cut_train(open);
   if (!cut) return false;
@@ -69,10 +73,10 @@ std::string own_objection(const SizedDesign& sized) {
   }
   for (const ConstraintReport& constraint : sized.report.constraints) {
     if (!constraint.name.starts_with("tip_thickness.")) continue;
-    const bool is_second =
-        constraint.name.ends_with("planet_2") || constraint.name.ends_with("output_ring");
-    const GearReport& gear = sized.report.gears[is_second ? 2 : 0];
-    if (constraint.value < io::nearest(request.least_tip_thickness) * gear.module_mm - 1e-9) {
+    const auto gear = std::find_if(
+        sized.report.gears.begin(), sized.report.gears.end(),
+        [&](const GearReport& each) { return constraint.name.ends_with("." + each.name); });
+    if (constraint.value < io::nearest(request.least_tip_thickness) * gear->module_mm - 1e-9) {
       return constraint.name;
     }
   }
@@ -116,7 +120,7 @@ bool set_widths(SizedDesign& sized) {
 SizedDesign sized_design(const Problem& problem, const LayerModules& modules,
                          const TrainChoice& choice, const std::array<double, 3>& point) {
   SizedDesign sized;
-  sized.design = design_of(modules, choice);
+  sized.design = design_of(train_parts(problem.topology), modules, choice);
   sized.problem = problem;
   offer_all_modules(modules, sized.problem);
   if (!set_shifts(problem, point, sized.design) || !set_widths(sized)) {

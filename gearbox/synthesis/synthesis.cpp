@@ -7,6 +7,7 @@
 #include <queue>
 #include <utility>
 
+#include "gearbox/any_topology.hpp"
 #include "gearbox/synthesis/inner_bound.hpp"
 #include "gearbox/synthesis/local_search.hpp"
 
@@ -244,9 +245,67 @@ class Search {
   SynthesisResult result_;
 };
 
+/// One topology after the other; the answer is over all of them.
+class TopologySearch {
+ public:
+  TopologySearch(const Problem& problem, const SynthesisOptions& options)
+      : problem_(problem), options_(options) {
+    all_.bound_kg = kInfinity;
+  }
+
+  SynthesisResult run() {
+    for (const TrainParts& parts : all_train_parts()) {
+      add(parts.name, found_of(as_topology(problem_, parts)));
+      if (options_.any && all_.best) break;
+    }
+    judge();
+    return std::move(all_);
+  }
+
+ private:
+  /// Of a topology that no box is left for nothing is known.
+  SynthesisResult found_of(const Problem& problem) const {
+    SynthesisOptions options = options_;
+    if (options.max_boxes > 0 && (options.max_boxes -= all_.boxes) <= 0) return {};
+    return Search(problem, options).run();
+  }
+
+  void add(std::string_view name, SynthesisResult found) {
+    TopologyAnswer answer{std::string(name), found.status,  {},
+                          found.bound_kg,    found.choices, found.excluded_by};
+    if (found.best) answer.mass_kg = found.best->mass_kg;
+    all_.topologies.push_back(std::move(answer));
+    all_.bound_kg = std::min(all_.bound_kg, found.bound_kg);
+    all_.choices += found.choices;
+    all_.opened += found.opened;
+    all_.boxes += found.boxes;
+    for (const auto& [margin, count] : found.excluded_by) all_.excluded_by[margin] += count;
+    const bool is_lighter = found.best && (!all_.best || found.best->mass_kg < all_.best->mass_kg);
+    if (is_lighter) all_.best = std::move(found.best);
+  }
+
+  void judge() {
+    const bool is_none = std::all_of(
+        all_.topologies.begin(), all_.topologies.end(),
+        [](const TopologyAnswer& answer) { return answer.status == SynthesisStatus::kInfeasible; });
+    const double gap = io::nearest(problem_.synthesis->gap);
+    const bool is_whole = all_.topologies.size() == all_train_parts().size();
+    if (is_none) {
+      all_.status = SynthesisStatus::kInfeasible;
+    } else if (is_whole && all_.best && all_.bound_kg >= all_.best->mass_kg * (1.0 - gap)) {
+      all_.status = SynthesisStatus::kOptimal;
+    }
+  }
+
+  const Problem& problem_;
+  const SynthesisOptions& options_;
+  SynthesisResult all_;
+};
+
 }  // namespace
 
 SynthesisResult synthesise(const Problem& problem, const SynthesisOptions& options) {
+  if (is_topology_open(problem)) return TopologySearch(problem, options).run();
   return Search(problem, options).run();
 }
 

@@ -35,6 +35,16 @@ struct SynthesisOptions {
   std::function<void(const SynthesisProgress&)> report = [](const SynthesisProgress&) {};
 };
 
+/// What is proved of one topology of a problem that leaves it open.
+struct TopologyAnswer {
+  std::string topology;
+  SynthesisStatus status = SynthesisStatus::kLimit;
+  std::optional<double> mass_kg;  ///< Of its lightest design.
+  double bound_kg = 0.0;          ///< None of it is lighter. Infinite: there is none.
+  std::int64_t choices = 0;
+  std::map<std::string, std::int64_t> excluded_by;  ///< As of the whole.
+};
+
 struct SynthesisResult {
   SynthesisStatus status = SynthesisStatus::kLimit;
   std::optional<SizedDesign> best;
@@ -48,11 +58,14 @@ struct SynthesisResult {
   /// Where there is no design: floors and ceilings that conflict (floor_conflict.hpp). Nothing:
   /// they were not asked for, or not found in time.
   std::optional<std::vector<ConflictMember>> conflict;
+  /// Each of them, where the problem leaves the topology open: the answer is over all.
+  std::vector<TopologyAnswer> topologies;
 };
 
 /// The lightest train of a problem with `synthesis`. Best-first: whole-number choices by a bound
 /// that holds for all their shifts, their continuous problems split into boxes, each bounded by
-/// enclosures; designs are those that `evaluate` and `strength` accept. docs/gearbox.md.
+/// enclosures; designs are those that `evaluate` and `strength` accept. An open topology is each of
+/// them, searched to its own proof; boxes to end with are shared. docs/gearbox.md.
 SynthesisResult synthesise(const Problem& problem, const SynthesisOptions& options = {});
 
 }  // namespace torquewright::gearbox

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gearbox/synthesis/synthesis_spec.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gearbox/any_topology.hpp"
 #include "gearbox/search/certificate_spec.hpp"
 #include "gearbox/search/result_spec.hpp"
 #include "gearbox/strength/problem_strength.hpp"
@@ -49,19 +53,55 @@ ordered_json conflict_json(const Problem& problem, const SynthesisResult& found)
   ordered_json list = ordered_json::array();
   if (!found.conflict) return list;
   for (const ConflictMember& member : *found.conflict) {
-    list.push_back(
-        {{"constraint", member.constraint},
-         {"without_it", design_json(*find_topology(problem.topology), member.without_it.value())},
-         {"sentence", member.sentence}});
+    const std::string& own = member.topology.empty() ? problem.topology : member.topology;
+    list.push_back({{"constraint", member.constraint},
+                    {"without_it", design_json(*find_topology(own), member.without_it.value())},
+                    {"sentence", member.sentence}});
+    if (!member.topology.empty()) list.back()["topology"] = member.topology;
+  }
+  return list;
+}
+
+/// "; 12 excluded by ring_wall alone, 3 by planet_room".
+std::string exclusions(const TopologyAnswer& answer) {
+  std::string text;
+  for (const auto& [margin, count] : answer.excluded_by) {
+    text += fmt::format("{}{} excluded by {} alone", text.empty() ? "; " : ", ", count, margin);
+  }
+  return text;
+}
+
+ordered_json topologies_json(const SynthesisResult& found) {
+  ordered_json list = ordered_json::array();
+  for (const TopologyAnswer& answer : found.topologies) {
+    list.push_back({{"topology", answer.topology},
+                    {"status", status_name(answer.status)},
+                    {"objective", answer.mass_kg ? ordered_json(*answer.mass_kg) : ordered_json()},
+                    {"bound", finite_or_null(answer.bound_kg)},
+                    {"choices", answer.choices},
+                    {"sentence", topology_sentence(answer)}});
   }
   return list;
 }
 
 }  // namespace
 
+std::string topology_sentence(const TopologyAnswer& answer) {
+  if (answer.mass_kg) {
+    return fmt::format("{:.6g} g{}; none of it is lighter than {:.6g} g", 1e3 * *answer.mass_kg,
+                       answer.status == SynthesisStatus::kOptimal ? ", proved" : " so far",
+                       1e3 * answer.bound_kg);
+  }
+  if (answer.status == SynthesisStatus::kLimit) return "not settled: the search was ended";
+  if (answer.choices == 0) return "none, proved: no teeth meet ratio, minima, assembly and bore";
+  return fmt::format(
+      "none, proved: {} choices of teeth meet ratio and assembly, and no shifts make a design of "
+      "one{}",
+      answer.choices, exclusions(answer));
+}
+
 std::string held_fixed_by_synthesis(const Problem& problem) {
-  return problem.synthesis->layer_2_module_mm.empty() &&
-                 train_parts(problem.topology).layer_count() > 1
+  return problem.synthesis->layer_2_module_mm.empty() && layers_of(problem.topology).size() > 1
              ? "one module for both layers, planets equally spaced and all alike, walls behind the "
                "rings as stated or of 2.25 modules"
              : "planets equally spaced and all alike, walls behind the rings as stated or of 2.25 "
@@ -85,7 +125,8 @@ ordered_json synthesis_json(const Problem& problem, const SynthesisResult& found
                       ? ordered_json(1.0 - found.bound_kg / found.best->mass_kg)
                       : ordered_json();
   result["designs"] = ordered_json::array();
-  if (found.best) result["designs"].push_back(sized_json(problem, *found.best));
+  if (found.best) result["designs"].push_back(sized_json(found.best->problem, *found.best));
+  if (!found.topologies.empty()) result["topologies"] = topologies_json(found);
   result["ties"] = ordered_json::array();
   result["conflict"] = conflict_json(problem, found);
   result["would_be_feasible_with"] = ordered_json::array();
@@ -97,8 +138,8 @@ ordered_json synthesis_json(const Problem& problem, const SynthesisResult& found
   for (const auto& [name, count] : found.excluded_by) {
     result["search"]["excluded_by"][name] = count;
   }
-  result["certificate"] = certificate_json(*find_topology(problem.topology), {});
-  result["held_fixed"] = held_fixed_by_synthesis(problem);
+  result["certificate"] = certificate_json(topologies().front(), {});
+  result["held_fixed"] = held_fixed_by_synthesis(found.best ? found.best->problem : problem);
   result["not_asked"] = not_asked_by_synthesis();
   return result;
 }

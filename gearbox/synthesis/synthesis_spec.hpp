@@ -9,6 +9,8 @@ namespace torquewright::gearbox {
 
 /// What a synthesis did not choose: a sentence.
 std::string held_fixed_by_synthesis(const Problem& problem);
+/// What was found of one topology of a problem that leaves it open: a sentence.
+std::string topology_sentence(const TopologyAnswer& answer);
 /// What its verdict does not say of the design: sentences.
 std::vector<std::string> not_asked_by_synthesis();
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "gearbox/constraints/hob_reach.hpp"
 #include "gearbox/constraints/spacing.hpp"
@@ -13,7 +14,7 @@
 #include "gearbox/strength/strength.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 #include "gearbox/train/assembly.hpp"
-#include "gearbox/train/backlash.hpp"
+#include "gearbox/train/central_gears.hpp"
 #include "gearbox/train_parts.hpp"
 #include "gearbox/walls.hpp"
 
@@ -22,10 +23,21 @@ namespace {
 
 constexpr double kSlack = 1e-9;
 
-/// Negative where the output turns backwards, infinite or no number where it stands still.
-double reduction_of(const ThreeKTeeth<double>& teeth) {
-  if (teeth.planet_2 == 0.0) return 1.0 + teeth.fixed_ring / teeth.sun;
-  return three_k_reduction(teeth);
+/// Where a gear stands in a choice: the sun, a layer's planet, a layer's ring.
+std::size_t place_of(const TrainParts& parts, std::size_t gear) {
+  if (gear == 0) return 0;
+  const std::size_t layer = parts.gear_layers[gear];
+  return parts.is_ring(gear) ? 3 + layer : 1 + layer;
+}
+
+/// The choice's teeth in the topology's order.
+template <class Number>
+std::vector<Number> gear_teeth(const TrainParts& parts, const TrainChoice& choice) {
+  std::vector<Number> teeth;
+  for (std::size_t gear = 0; gear < parts.gears.size(); ++gear) {
+    teeth.emplace_back(static_cast<long>(choice.teeth[place_of(parts, gear)]));
+  }
+  return teeth;
 }
 
 /// Walks through the teeth of one planet count and pair of modules.
@@ -35,8 +47,10 @@ class ChoiceWalk {
              std::vector<TrainChoice>& found)
       : problem_(problem),
         modules_(modules),
-        has_second_layer_(train_parts(problem.topology).layer_count() > 1),
-        most_(most),
+        parts_(train_parts(problem.topology)),
+        has_first_ring_(parts_.ring_of_layer(0)),
+        has_second_layer_(parts_.layer_count() > 1),
+        most_choices_(most),
         found_(found) {
     least_ratio_ = io::nearest(least_ratio(problem)) * (1.0 - kSlack);
     greatest_ratio_ = io::nearest(greatest_ratio(problem)) * (1.0 + kSlack);
@@ -48,30 +62,52 @@ class ChoiceWalk {
     module_1_mm_ = modules_.first_mm[first];
     module_2_mm_ = modules_.second_mm.empty() ? module_1_mm_ : modules_.second_mm[second];
     shift_of_modules_ = io::nearest(Rational(module_1_mm_ / module_2_mm_));
-    const Rational bore = problem_.rotor_inner_diameter_mm / module_1_mm_;
-    const std::int64_t most_fixed = mpz_class(bore.get_num() / bore.get_den()).get_si();
+    most_ = {most_teeth(module_1_mm_), most_teeth(module_2_mm_)};
     const std::int64_t off = problem_.synthesis->ring_teeth_off;
-    for (std::int64_t sun = minimum("sun"); sun < most_fixed; ++sun) {
-      for (std::int64_t planet = minimum(has_second_layer_ ? "planet_1" : "planet");
-           sun + 2 * planet - off <= most_fixed; ++planet) {
+    // Planets without a ring roll inside the bore as a ring would stand there.
+    const std::int64_t spare = has_first_ring_ ? off : 0;
+    for (std::int64_t sun = minimum(0); sun < most_[0]; ++sun) {
+      for (std::int64_t planet = minimum(1); sun + 2 * planet - spare <= most_[0]; ++planet) {
         const PlanetCircle circle{sun, planet, planets, module_1_mm_};
         if (!clears(circle)) break;
-        for (std::int64_t fixed = sun + 2 * planet - off;
-             fixed <= std::min(most_fixed, sun + 2 * planet + off); ++fixed) {
-          if (spacing_remainder(sun, fixed, planets) != 0) continue;
-          if (has_second_layer_) {
-            second_layer(sun, planet, fixed);
-          } else {
-            consider({sun, planet, 0, fixed, 0});
-          }
+        if (has_first_ring_) {
+          first_rings(sun, planet);
+        } else {
+          second_layer(sun, planet, 0);
         }
-        if (found_.size() > most_) return;
+        if (found_.size() > most_choices_) return;
       }
     }
   }
 
  private:
-  std::int64_t minimum(const char* gear) const { return problem_.min_teeth.at(gear); }
+  std::int64_t minimum(std::size_t gear) const {
+    return problem_.min_teeth.at(std::string(parts_.gears[gear]));
+  }
+
+  std::int64_t most_teeth(const Rational& module_mm) const {
+    const Rational bore = problem_.rotor_inner_diameter_mm / module_mm;
+    return mpz_class(bore.get_num() / bore.get_den()).get_si();
+  }
+
+  void first_rings(std::int64_t sun, std::int64_t planet) {
+    const std::int64_t off = problem_.synthesis->ring_teeth_off;
+    for (std::int64_t ring = sun + 2 * planet - off;
+         ring <= std::min(most_[0], sun + 2 * planet + off); ++ring) {
+      if (spacing_remainder(sun, ring, choice_.planet_count) != 0) continue;
+      if (has_second_layer_) {
+        second_layer(sun, planet, ring);
+      } else {
+        consider({sun, planet, 0, ring, 0});
+      }
+    }
+  }
+
+  /// The paper's planet 2 is smaller than planet 1; where the second ring is held, the bore limits
+  /// it.
+  std::int64_t greatest_planet_2(std::int64_t planet, std::int64_t ring_from_planet) const {
+    return parts_.is_the_papers ? planet - choice_.planet_count : most_[1] - ring_from_planet;
+  }
 
   bool clears(const PlanetCircle& circle) const {
     const auto planet = static_cast<double>(circle.planet);
@@ -82,32 +118,46 @@ class ChoiceWalk {
     return carrier_clearance(circle, problem_.min_carrier_clearance_rad).satisfied;
   }
 
-  void second_layer(std::int64_t sun, std::int64_t planet, std::int64_t fixed) {
+  void second_layer(std::int64_t sun, std::int64_t planet, std::int64_t first_ring) {
     const double between = shift_of_modules_ * static_cast<double>(sun + planet);
     const auto off = static_cast<double>(problem_.synthesis->ring_teeth_off);
     const std::int64_t low = std::llround(std::ceil(between - off - kSlack));
     const std::int64_t high = std::llround(std::floor(between + off + kSlack));
-    for (std::int64_t planet_2 = minimum("planet_2"); planet_2 <= planet - choice_.planet_count;
+    for (std::int64_t planet_2 = minimum(2); planet_2 <= greatest_planet_2(planet, low);
          ++planet_2) {
-      for (std::int64_t output = planet_2 + low; output <= planet_2 + high; ++output) {
-        consider({sun, planet, planet_2, fixed, output});
+      for (std::int64_t ring = planet_2 + low; ring <= planet_2 + high; ++ring) {
+        if (!parts_.is_the_papers && ring > most_[1]) continue;
+        consider({sun, planet, planet_2, first_ring, ring});
       }
     }
   }
 
   void consider(const std::array<std::int64_t, 5>& z) {
     choice_.teeth = z;
-    const double ratio = reduction_of(teeth_of(choice_));
+    const double ratio = near_ratio();
     if (!(ratio >= least_ratio_ && ratio <= greatest_ratio_)) return;
-    const Rational exact = has_second_layer_
-                               ? three_k_reduction<Rational>({z[0], z[1], z[2], z[3], z[4]})
-                               : planetary_reduction<Rational>({z[0], z[1], z[3]});
+    const std::vector<Rational> teeth = gear_teeth<Rational>(parts_, choice_);
+    const Rational exact = basic_ratios<Rational>(parts_, teeth).reduction();
     if (exact < least_ratio(problem_) || exact > greatest_ratio(problem_)) return;
+    // The sun takes the place of a ring that planet 1 lacks (docs/derivations/kinematics.md (20)).
     if (has_second_layer_ &&
-        !has_identical_planets({z[0], z[1], z[2], z[3], z[4]}, choice_.planet_count)) {
+        !has_identical_planets({z[0], z[1], z[2], has_first_ring_ ? z[3] : -z[0], z[4]},
+                               choice_.planet_count)) {
       return;
     }
     if (may_meet_ceilings(ratio)) found_.push_back(choice_);
+  }
+
+  /// Infinite, negative or no number where the output stands still or turns backwards. As
+  /// basic_ratios() has it, of the choice's own places: it is asked of millions.
+  double near_ratio() const {
+    const auto z = [&](std::size_t place) { return static_cast<double>(choice_.teeth[place]); };
+    const std::size_t held = parts_.gear_layers[parts_.held_ring];
+    const double roll = z(3 + held) / z(1 + held);
+    const double first = roll * z(1) / z(0);
+    if (!parts_.output_ring) return 1.0 + first;
+    const std::size_t output = parts_.gear_layers[*parts_.output_ring];
+    return (1.0 + first) / (1.0 - roll * z(1 + output) / z(3 + output));
   }
 
   /// What no shift changes: the rotor's inertia, and backlash, which goes with base circles.
@@ -120,20 +170,23 @@ class ChoiceWalk {
   }
 
   double backlash_rad_per_mm() const {
-    const ThreeKTeeth<double> teeth = teeth_of(choice_);
-    const double first_mm = 0.5 * kReferenceCosine * io::nearest(module_1_mm_);
-    const double second_mm = 0.5 * kReferenceCosine * io::nearest(module_2_mm_);
-    const double sun_mm = first_mm * teeth.sun, fixed_mm = first_mm * teeth.fixed_ring;
-    if (!has_second_layer_) return 2.0 * planetary_backlash(sun_mm, fixed_mm);
-    return three_k_backlash(basic_ratio_1(teeth), basic_ratio_2(teeth),
-                            {sun_mm, fixed_mm, second_mm * teeth.output_ring})
-        .total();
+    const std::vector<double> teeth = gear_teeth<double>(parts_, choice_);
+    std::vector<double> base_mm;
+    for (std::size_t gear = 0; gear < teeth.size(); ++gear) {
+      const Rational& module_mm = parts_.gear_layers[gear] == 0 ? module_1_mm_ : module_2_mm_;
+      base_mm.push_back(0.5 * kReferenceCosine * io::nearest(module_mm) * teeth[gear]);
+    }
+    const auto by_mesh = mesh_backlash_rad_per_m(parts_, teeth, base_mm);
+    return std::accumulate(by_mesh.begin(), by_mesh.end(), 0.0);
   }
 
   const Problem& problem_;
   const LayerModules& modules_;
+  const TrainParts& parts_;
+  bool has_first_ring_;
   bool has_second_layer_;
-  std::size_t most_;
+  std::size_t most_choices_;
+  std::array<std::int64_t, 2> most_{};  ///< Teeth whose pitch circle fits the bore, by layer.
   std::vector<TrainChoice>& found_;
   TrainChoice choice_;
   Rational module_1_mm_, module_2_mm_;
@@ -161,7 +214,7 @@ void set_strength(const Problem& problem, InnerCase& inner) {
   const double cycles = problem.load_cycles ? io::nearest(*problem.load_cycles) : kAssumedCycles;
   const double common = factors.application * factors.dynamic * factors.load_sharing;
   inner.root = root_limit(steel, cycles);
-  inner.alternating_bending = factors.alternating_bending;
+  inner.alternating_bending = inner.held_layer == 0 ? factors.alternating_bending : 1.0;
   inner.root_factors = common * factors.face_load_root * kAssumedRootSafety;
   inner.flank_factors = common * factors.face_load_flank * square(kAssumedFlankSafety);
   const LifeCurve flank = flank_life(steel);
@@ -178,8 +231,25 @@ void set_forces(const Problem& problem, InnerCase& inner) {
   const auto force = [&](double torque_Nmm, std::size_t layer, double teeth) {
     return torque_Nmm / (inner.planets * inner.module_mm[layer] * teeth / 2.0);
   };
-  inner.reference_force_N = {force(sun_Nmm, 0, z[0]), force(output_Nmm - sun_Nmm, 0, z[3]), 0.0};
-  if (inner.has_second_layer) inner.reference_force_N[2] = force(output_Nmm, 1, z[4]);
+  const auto of_ring = [&](std::size_t layer) {
+    const double torque_Nmm = layer == inner.held_layer ? output_Nmm - sun_Nmm : output_Nmm;
+    return z[3 + layer] > 0.0 ? force(torque_Nmm, layer, z[3 + layer]) : 0.0;
+  };
+  inner.reference_force_N = {force(sun_Nmm, 0, z[0]), of_ring(0), of_ring(1)};
+}
+
+/// Which rings there are, and how all turn.
+void set_motion(const TrainParts& parts, const std::vector<double>& teeth, InnerCase& inner) {
+  inner.has_first_ring = parts.ring_of_layer(0).has_value();
+  inner.has_second_layer = parts.layer_count() > 1;
+  inner.held_layer = parts.gear_layers[parts.held_ring];
+  if (parts.output_ring) inner.output_layer = parts.gear_layers[*parts.output_ring];
+  const auto ratios = basic_ratios<double>(parts, teeth);
+  const TrainSpeeds speeds = train_speeds(parts, teeth);
+  inner.basic_ratio = {ratios.first, ratios.second};
+  inner.carrier_speed_per_sun = speeds.carrier;
+  inner.planet_speed_per_sun = speeds.gears[1];
+  inner.ratio = ratios.reduction();
 }
 
 std::optional<double> number(const std::optional<Rational>& value) {
@@ -237,20 +307,14 @@ LayerModules layer_modules(const Problem& problem) {
   return {problem.module_mm, problem.synthesis->layer_2_module_mm};
 }
 
-Design design_of(const LayerModules& modules, const TrainChoice& choice) {
-  const auto& z = choice.teeth;
-  Design design{{z.begin(), z.end()}, choice.planet_count, modules.first_mm[choice.module[0]]};
-  if (!choice.has_second_layer()) design.teeth = {z[0], z[1], z[3]};
+Design design_of(const TrainParts& parts, const LayerModules& modules, const TrainChoice& choice) {
+  Design design{gear_teeth<std::int64_t>(parts, choice), choice.planet_count,
+                modules.first_mm[choice.module[0]]};
   if (!modules.second_mm.empty()) {
     const Rational& second_mm = modules.second_mm[choice.module[1]];
     if (second_mm != design.module_mm) design.layer_2_module_mm = second_mm;
   }
   return design;
-}
-
-ThreeKTeeth<double> teeth_of(const TrainChoice& choice) {
-  const auto number = [&](std::size_t gear) { return static_cast<double>(choice.teeth[gear]); };
-  return {number(0), number(1), number(2), number(3), number(4)};
 }
 
 std::vector<TrainChoice> train_choices(const Problem& problem, const LayerModules& modules,
@@ -268,11 +332,12 @@ std::vector<TrainChoice> train_choices(const Problem& problem, const LayerModule
 
 InnerCase inner_case(const Problem& problem, const LayerModules& modules,
                      const TrainChoice& choice) {
-  const Design design = design_of(modules, choice);
+  const TrainParts& parts = train_parts(problem.topology);
+  const Design design = design_of(parts, modules, choice);
   const Rational& second_mm = design.layer_2_module_mm.value_or(design.module_mm);
   InnerCase inner;
   for (std::size_t i = 0; i < 5; ++i) inner.teeth[i] = static_cast<double>(choice.teeth[i]);
-  inner.has_second_layer = choice.has_second_layer();
+  set_motion(parts, gear_teeth<double>(parts, choice), inner);
   inner.planets = static_cast<double>(choice.planet_count);
   inner.sine_of_half_spacing = std::sin(std::numbers::pi / inner.planets);
   inner.module_mm = {io::nearest(design.module_mm), io::nearest(second_mm)};
@@ -281,7 +346,6 @@ InnerCase inner_case(const Problem& problem, const LayerModules& modules,
   const auto widest_mm = greatest_face_widths_mm(problem, design);
   inner.max_face_width_mm = {io::nearest(widest_mm[0]), io::nearest(widest_mm[1])};
   set_bounds(problem, design.module_mm, inner);
-  inner.ratio = reduction_of(teeth_of(choice));
   set_strength(problem, inner);
   set_forces(problem, inner);
   if (const auto most = number(problem.floors.reflected_inertia_kg_m2)) {
@@ -302,12 +366,12 @@ std::optional<InnerBox> inner_box(const Problem& problem, const InnerCase& inner
     return 0.5 * inner.module_mm[0] * between * kReferenceCosine *
            std::sqrt(1.0 + tangent * tangent);
   };
-  const double fixed_mm =
+  const double first_mm =
       0.5 * inner.module_mm[0] * (inner.teeth[3] - inner.teeth[1]) * kReferenceCosine;
-  // 0 where there is no second layer.
-  const double output_mm =
+  // Below 0 where a layer has no ring.
+  const double second_mm =
       0.5 * inner.module_mm[1] * (inner.teeth[4] - inner.teeth[2]) * kReferenceCosine;
-  const double least_mm = std::max({centre_mm(2.0 * low), fixed_mm, output_mm}) * (1.0 + 1e-12);
+  const double least_mm = std::max({centre_mm(2.0 * low), first_mm, second_mm}) * (1.0 + 1e-12);
   const double greatest_mm = centre_mm(2.0 * high);
   if (!(least_mm < greatest_mm)) return std::nullopt;
   return InnerBox{Interval{least_mm, greatest_mm}, Interval{low, high}};

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "gearbox/synthesis/inner_case.hpp"
-#include "gearbox/train/kinematics.hpp"
+#include "gearbox/train_parts.hpp"
 
 namespace torquewright::gearbox {
 
@@ -17,10 +17,7 @@ struct LayerModules {
 LayerModules layer_modules(const Problem& problem);
 
 /// A choice as a design, without shifts.
-Design design_of(const LayerModules& modules, const TrainChoice& choice);
-
-/// Its teeth as numbers.
-ThreeKTeeth<double> teeth_of(const TrainChoice& choice);
+Design design_of(const TrainParts& parts, const LayerModules& modules, const TrainChoice& choice);
 
 /// Of each layer, by all limits that the problem states; a kilometre where it states none.
 std::array<Rational, 2> greatest_face_widths_mm(const Problem& problem, const Design& design);

@@ -162,14 +162,16 @@ void describe_shifted_bodies(const Problem& problem, const CutTrain& cut, Design
 
 std::vector<ConstraintReport> shifted_conditions(const Problem& problem, const CutTrain& cut) {
   std::vector<ConstraintReport> list;
-  for (const CutMesh& mesh : ring_meshes(cut)) {
-    list.push_back(neighbour_clearance(cut.gears[mesh.gear_1], cut.centre_mm,
-                                       cut.train.planet_count, problem.min_neighbour_clearance_mm));
+  const TrainParts& parts = train_parts(problem.topology);
+  for (std::size_t gear = 1; gear < parts.free_gears; ++gear) {
+    list.push_back(neighbour_clearance(cut.gears[gear], cut.centre_mm, cut.train.planet_count,
+                                       problem.min_neighbour_clearance_mm));
   }
+  if (!parts.ring_of_layer(0)) list.push_back(planet_room(problem, cut.gears[1], cut.centre_mm));
   for (const CutGear& gear : cut.gears) {
     if (!gear.internal) list.push_back(undercut(cut.train.cutters, gear));
   }
-  if (train_parts(problem.topology).layer_count() > 1 && problem.sun_under_second_layer) {
+  if (parts.layer_count() > 1 && problem.sun_under_second_layer) {
     list.push_back(sun_under_layer_2(cut));
   }
   for (const CutGear& gear : cut.gears) {

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 
+#include "gearbox/topologies/compound.hpp"
 #include "gearbox/topologies/planetary.hpp"
 #include "gearbox/topologies/three_k.hpp"
+#include "gearbox/topologies/three_k_b.hpp"
 
 namespace torquewright::gearbox {
 
@@ -13,6 +15,8 @@ std::span<const Topology> topologies() {
   static const std::array all{
       three_k::topology(),
       planetary::topology(),
+      three_k_b::topology(),
+      compound::topology(),
   };
   return all;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -28,10 +29,11 @@ using Numbers = std::span<const double>;
 /// topologies/, its model beside it, and one line in topology.cpp. Teeth are positive.
 struct Topology : TrainParts {
   /// All teeth from the free ones, by coaxiality without profile shift.
-  std::vector<std::int64_t> (*complete)(ToothCounts free_teeth) = nullptr;
+  std::function<std::vector<std::int64_t>(ToothCounts free_teeth)> complete = {};
 
   /// The synthesis problem for one planet count and module (docs/gearbox_constraints.md), for rings
-  /// of at most `ring_limit` teeth: floor(D/m) where the rotor's bore is to be respected.
+  /// of at most `ring_limit` teeth: floor(D/m) where the rotor's bore is to be respected. Absent,
+  /// as the next two: a train that is searched with synthesis only.
   optimization::Problem (*model)(const Problem& problem, std::int64_t planet_count,
                                  const Rational& module_mm, std::int64_t ring_limit) = nullptr;
 
@@ -40,21 +42,21 @@ struct Topology : TrainParts {
   std::vector<std::int64_t> (*point_of)(ToothCounts free_teeth) = nullptr;
 
   /// Everything about one design, every constraint included. Any positive teeth are accepted.
-  DesignReport (*evaluate)(const Problem& problem, const Design& design) = nullptr;
+  std::function<DesignReport(const Problem& problem, const Design& design)> evaluate = {};
 
   /// Sun speed over output speed, signed; infinite where the output stands still.
-  double (*reduction)(Numbers teeth) = nullptr;
+  std::function<double(Numbers teeth)> reduction = {};
 
   /// Tangential forces on one planet for 1 Nm at the sun, by mesh; without losses, all planets
   /// sharing alike, on the working circles of that centre distance.
-  std::vector<double> (*forces_N)(Numbers teeth, std::int64_t planet_count,
-                                  double centre_m) = nullptr;
+  std::function<std::vector<double>(Numbers teeth, std::int64_t planet_count, double centre_m)>
+      forces_N = {};
 
   /// Returns the efficiency of the whole train from those of its meshes.
-  TrainEfficiency (*efficiency)(Numbers teeth, Numbers mesh_efficiencies) = nullptr;
+  std::function<TrainEfficiency(Numbers teeth, Numbers mesh_efficiencies)> efficiency = {};
 
   /// How it stands when it is assembled.
-  AssemblyPhase (*assemble)(ToothCounts teeth, std::int64_t planet_count) = nullptr;
+  std::function<AssemblyPhase(ToothCounts teeth, std::int64_t planet_count)> assemble = {};
 
   /// The largest teeth of exactly the ratio of these, of which the held ring has at most so many;
   /// empty: there are none. Absent: a train whose teeth stay when its module changes.

@@ -103,6 +103,36 @@ AssemblyPhase assemble_3k(const CompoundTeeth& teeth, std::int64_t planet_count)
   return phase;
 }
 
+AssemblyPhase assemble_compound(std::int64_t sun, std::int64_t planet_1, std::int64_t planet_2,
+                                std::int64_t ring, std::int64_t planet_count) {
+  for (const std::int64_t count : {sun, planet_1, planet_2, ring, planet_count}) {
+    require_count(count);
+  }
+  AssemblyPhase phase;
+  phase.sun_rad =
+      planet_1 % 2 == 0 ? std::numbers::pi / static_cast<double>(sun) : 0.0;  // Eq. (4).
+  const std::int64_t g = std::gcd(planet_1, planet_2);
+  const std::int64_t p1 = planet_1 / g, p2 = planet_2 / g;
+  const std::int64_t q = ring * p1 + sun * p2;  // Eq. (13).
+  std::vector<std::int64_t> remainders;
+  for (std::int64_t i = 0; i < planet_count; ++i) {
+    const std::int64_t remainder = modulo(q * i, planet_count);
+    const std::int64_t steps = (q * i - remainder) / planet_count;
+    const std::int64_t k = p1 == 1 ? 0 : modulo(-modulo(steps, p1) * inverse(p2, p1), p1);
+    PlanetPhase& planet = phase.planets.emplace_back();
+    planet.position_rad = turns_rad(i, planet_count);
+    // Eq. (14), with k for room as in eq. (11).
+    planet.planet_1_rad =
+        turns_rad(i * (planet_1 + sun) + k * planet_count, planet_count * planet_1);
+    planet.clocking_rad =
+        -turns_rad(1, planet_count * p1 * p2 * g) * static_cast<double>(remainder);
+    planet.planet_2_rad = planet.planet_1_rad + planet.clocking_rad;
+    remainders.push_back(remainder);
+  }
+  number_parts(phase, remainders);
+  return phase;
+}
+
 AssemblyPhase assemble_planetary(std::int64_t sun, std::int64_t planet, std::int64_t ring,
                                  std::int64_t planet_count) {
   return place_layer_1(sun, planet, ring, planet_count);

@@ -11,7 +11,7 @@ namespace torquewright::gearbox {
 struct PlanetPhase {
   double position_rad = 0.0;
   double planet_1_rad = 0.0;
-  double planet_2_rad = 0.0;     ///< 3k only.
+  double planet_2_rad = 0.0;     ///< Of stepped planets only.
   double clocking_rad = 0.0;     ///< planet_2_rad - planet_1_rad, in (-2 pi g/(P1 P2), 0].
   std::int64_t part_number = 1;  ///< Planets of one number are alike; from 1, in order of position.
 };
@@ -20,8 +20,8 @@ struct PlanetPhase {
 /// Phase of a ring: the direction of the middle of one tooth space.
 struct AssemblyPhase {
   double sun_rad = 0.0;
-  double fixed_ring_rad = 0.0;
-  double output_ring_rad = 0.0;  ///< 3k only.
+  double fixed_ring_rad = 0.0;   ///< Of the ring in the sun's layer.
+  double output_ring_rad = 0.0;  ///< Of the ring in the other layer.
   std::vector<PlanetPhase> planets;
   bool equally_spaced = true;     ///< False: each planet stands at the nearest place that meshes.
   std::int64_t planet_types = 1;  ///< Different part numbers.
@@ -39,6 +39,11 @@ struct CompoundTeeth {
 /// Phases with which every mesh of a 3K train has tooth against space on its line of centres
 /// (docs/derivations/assembly_phase.md). Throws std::invalid_argument unless all are positive.
 AssemblyPhase assemble_3k(const CompoundTeeth& teeth, std::int64_t planet_count);
+
+/// The same for a sun on planet 1 and one ring, on planet 2: planets stand at equal angles whatever
+/// the teeth. Throws std::invalid_argument unless all are positive.
+AssemblyPhase assemble_compound(std::int64_t sun, std::int64_t planet_1, std::int64_t planet_2,
+                                std::int64_t ring, std::int64_t planet_count);
 
 /// The same for a sun, planets and one ring. Throws std::invalid_argument unless all are positive.
 AssemblyPhase assemble_planetary(std::int64_t sun, std::int64_t planet, std::int64_t ring,

@@ -110,6 +110,64 @@ TEST(Synthesis, SizesASingleStage) {
             "only\n");
 }
 
+/// 9:1 that leaves the topology open.
+const char* const kOpenTopology = R"({"kind": "gearbox_problem", "version": 1,
+ "topology": "any", "target_ratio": 9, "ratio_tolerance": 0,
+ "rotor_inner_diameter_mm": 60, "module_mm": 0.5, "planet_count": 3,
+ "min_teeth": {"sun": 14, "planet_1": 20, "planet_2": 14, "planet": 14},
+ "load": {"output_torque_Nm": 40}, "synthesis": {"gap": 0.005}})";
+
+// Oracle: the same program with the topology that it has chosen; strength, drawing and actuators
+// read the result as one of that topology.
+TEST(Synthesis, ChoosesTheTopologyAndSaysWhatTheOthersHave) {
+  const Workplace place;
+  place.write("open.json", kOpenTopology);
+  const Outcome found =
+      place.run({"gearbox", "optimize", "open.json", "-o", "result.json", "--draw", "gears.svg"});
+  EXPECT_EQ(found.exit_code, 0) << found.out << found.err;
+  EXPECT_NE(found.out.find(", nothing of 4 topologies is lighter than "), std::string::npos);
+  EXPECT_NE(found.out.find("\nTopologies:\n  3k                "), std::string::npos) << found.out;
+  EXPECT_NE(found.out.find("\n  3k_b              none, proved: "), std::string::npos) << found.out;
+  const json result = json::parse(place.text("result.json"));
+  EXPECT_TRUE(io::conforms(result, "gearbox_result"));
+  ASSERT_EQ(result["topologies"].size(), 4U);
+  const std::string chosen = result["problem"]["topology"];
+  EXPECT_EQ(chosen, "compound");
+  for (const json& each : result["topologies"]) {
+    const json& own = each["objective"];
+    EXPECT_EQ(each["topology"] == chosen, own == result["objective"]) << each;
+    EXPECT_TRUE(own.is_null() || own >= result["objective"]) << each;
+  }
+  const Outcome strength = place.run({"gearbox", "strength", "result.json"});
+  EXPECT_NE(strength.out.find("40 Nm at the joint: borne"), std::string::npos)
+      << strength.out << strength.err;
+  EXPECT_EQ(place.run({"gearbox", "drawing", "result.json", "--dxf", "gears.dxf"}).exit_code, 0);
+  EXPECT_NE(place.text("gears.svg").find("Layer 1: sun, planets 1<"), std::string::npos);
+  json stated = result["problem"];
+  place.write("stated.json", stated.dump());
+  place.run({"gearbox", "optimize", "stated.json", "-o", "again.json"});
+  EXPECT_EQ(json::parse(place.text("again.json"))["designs"], result["designs"]);
+}
+
+TEST(Synthesis, RefusesATopologyThatNothingCloses) {
+  const Workplace place;
+  place.write("open.json", kOpenTopology);
+  EXPECT_EQ(place.run({"gearbox", "evaluate", "open.json", "--teeth", "20,40,20"}).err,
+            "open.json#/topology: \"any\" leaves it open, which optimize, pareto and design of a "
+            "problem with /synthesis close; state one\n");
+  json plain = json::parse(kOpenTopology);
+  plain.erase("synthesis");
+  plain["topology"] = "compound";
+  plain["min_teeth"].erase("planet");
+  plain.merge_patch(json{{"constraints", "buildable"},
+                         {"objective", "hollow_shaft"},
+                         {"min_carrier_clearance_rad", 0}});
+  place.write("plain.json", plain.dump());
+  EXPECT_EQ(place.run({"gearbox", "optimize", "plain.json"}).err,
+            "plain.json#/synthesis: missing; the topology \"compound\" is searched with it only "
+            "({} will do)\n");
+}
+
 // Each of the two can be met, but not both. Oracle: the same problem without either.
 TEST(Synthesis, NamesFloorsThatConflict) {
   const Workplace place;

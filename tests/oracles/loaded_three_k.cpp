@@ -275,23 +275,59 @@ struct Layer {
   double sun_shift = 0.0;
 };
 
+/// Speeds with the carrier at 1; `output_ring`: 1 or 2, the carrier: 0.
+struct Motion {
+  double sun = 0.0, planet = 0.0, ring_1 = 0.0, ring_2 = 0.0;
+  int output_ring = 0;
+  double output() const { return output_ring == 0 ? 1.0 : output_ring == 1 ? ring_1 : ring_2; }
+};
+
+/// By rolling without slip in every mesh: z (w - 1) = -+ p (w_P - 1), the held ring at 0.
+Motion motion_of(const LoadedTeeth& z, const std::string& topology) {
+  const auto whole = [](std::int64_t number) { return static_cast<double>(number); };
+  const bool holds_first = topology == "3k" || topology == "planetary";
+  const double spin =
+      holds_first ? -whole(z.ring_1) / whole(z.planet_1) : -whole(z.ring_2) / whole(z.planet_2);
+  Motion motion;
+  motion.planet = 1.0 + spin;
+  motion.sun = 1.0 - spin * whole(z.planet_1) / whole(z.sun);
+  const auto ring = [&](std::int64_t planet, std::int64_t teeth) {
+    return teeth > 0 ? 1.0 + spin * whole(planet) / whole(teeth) : 0.0;
+  };
+  motion.ring_1 = holds_first ? 0.0 : ring(z.planet_1, z.ring_1);
+  motion.ring_2 = holds_first ? ring(z.planet_2, z.ring_2) : 0.0;
+  motion.output_ring = topology == "3k" ? 2 : topology == "3k_b" ? 1 : 0;
+  return motion;
+}
+
 class Train {
  public:
   Train(const Given& given, const LoadedTeeth& teeth) : given_(given), z_(teeth) {
-    const double s = whole(z_.sun), p1 = whole(z_.planet_1), p2 = whole(z_.planet_2);
-    const double f = whole(z_.fixed_ring), o = whole(z_.output_ring);
-    const bool is_stepped = z_.planet_2 > 0;
-    const double ratio = is_stepped ? (s + f) * p1 * o / (s * (p1 * o - f * p2)) : 1.0 + f / s;
-    const double n = whole(z_.planets);
-    force_S_ = 2e3 * given.load_Nm / ratio / (n * z_.module_1_mm * s);
-    force_F_ = 2e3 * given.load_Nm * (1.0 - 1.0 / ratio) / (n * z_.module_1_mm * f);
-    force_O_ = is_stepped ? 2e3 * given.load_Nm / (n * z_.module_2_mm * o) : 0.0;
-    ratio_1_ = f / s;
-    ratio_2_ = is_stepped ? f * p2 / (p1 * o) : 0.0;
-    // Speeds over the output's: of the sun, the carrier, and a planet about its own axis.
+    const double s = whole(z_.sun), n = whole(z_.planets);
+    const double r1 = whole(z_.ring_1), r2 = whole(z_.ring_2);
+    const Motion motion = motion_of(teeth, given.problem["topology"]);
+    const double ratio = motion.sun / motion.output();
+    const double sun_Nm = given.load_Nm / ratio;
+    const auto force = [&](double ring_speed, double m, double z) {
+      const double torque_Nm = ring_speed == 0.0 ? given.load_Nm - sun_Nm : given.load_Nm;
+      return z > 0.0 ? 2e3 * torque_Nm / (n * m * z) : 0.0;
+    };
+    force_S_ = 2e3 * sun_Nm / (n * z_.module_1_mm * s);
+    force_F_ = force(motion.ring_1, z_.module_1_mm, r1);
+    force_O_ = force(motion.ring_2, z_.module_2_mm, r2);
+    // The carrier at 1: what a central gear turns against it, planets rolling.
+    ratio_1_ = motion.sun - 1.0;
+    ratio_2_ = motion.output_ring > 0 ? 1.0 - motion.output() : 0.0;
+    held_ = motion.ring_1 == 0.0 && r1 > 0.0 ? 1 : 2;
+    output_ring_ = static_cast<std::size_t>(motion.output_ring);
+    // Speeds over the output's: of the sun, the carrier, a planet about its own axis, the rings.
     sun_speed_ = ratio;
-    carrier_speed_ = ratio * s / (s + f);
-    planet_speed_ = carrier_speed_ * (1.0 - f / p1);
+    carrier_speed_ = 1.0 / motion.output();
+    planet_speed_ = motion.planet / motion.output();
+    ring_1_speed_ = motion.ring_1 / motion.output();
+    ring_2_speed_ = motion.ring_2 / motion.output();
+    // Planet 1 is pushed on both flanks where the ring beside it is held.
+    alternating_ = held_ == 1 ? 0.7 : 1.0;
   }
 
   std::pair<double, double> centres_mm() const {
@@ -304,9 +340,10 @@ class Train {
   }
 
   Layer first(double centre_mm, double x1) const {
+    if (z_.ring_1 == 0) return sun_and_planets(centre_mm, x1);
     Layer layer;
     const double m = z_.module_1_mm, a = centre_mm / m;
-    const double s = whole(z_.sun), p = whole(z_.planet_1), f = whole(z_.fixed_ring);
+    const double s = whole(z_.sun), p = whole(z_.planet_1), f = whole(z_.ring_1);
     const double cos_out = 0.5 * (s + p) * kCos / a, cos_in = 0.5 * (f - p) * kCos / a;
     if (!(cos_out < 1.0) || !(cos_in < 1.0)) return layer;
     const double out = std::acos(cos_out), in = std::acos(cos_in);
@@ -321,29 +358,16 @@ class Train {
     const Pair within{true, planet, ring, a, in};
     Missed missed;
     ask_ring(within, m, missed);
-    missed.ask(xs - given_.least_x);
-    missed.ask(given_.most_x - xs);
-    missed.ask(xs - (1.0 - 0.5 * s * sq(kSin)));
-    missed.ask(outside.contact() - given_.contact);
-    missed.ask(outside.deepest(false));
-    missed.ask(outside.deepest(true));
-    missed.ask(thickness(sun, false) - given_.tip_thickness);
+    ask_sun(outside, m, missed);
     const double hob_s = largest_hob(sun, outside.deepest(false));
     const double hob_p = largest_hob(planet, outside.deepest(true));
-    missed.ask(hob_s);
-    missed.ask(hob_p);
-    missed.ask(a - planet.ra() - (0.5 * s + xs - 1.25));
-    missed.ask(a - sun.ra() - (0.5 * p + x1 - 1.25));
-    const double shaft = given_.number("min_hollow_shaft_diameter_mm", -kNone);
-    const double shaft_wall = given_.number("hollow_shaft_wall_mm", given_.wall_mm(m));
-    missed.ask(m * (s + 2.0 * xs - 2.5) - 2.0 * shaft_wall - shaft);
     const double hob_1 = rounding(std::min(hob_p, largest_hob(planet, within.deepest(false))));
     const Tool tool = tool_of(within);
     double width =
         std::max({given_.least_width_mm, flank_mm(within, force_F_, m, false),
                   flank_mm(outside, force_S_, m, false), flank_mm(outside, force_S_, m, true),
-                  root_mm(planet, hob_1, within.contact(), force_F_, m, 0.7),
-                  root_mm(planet, hob_1, outside.contact(), force_S_, m, 0.7),
+                  root_mm(planet, hob_1, within.contact(), force_F_, m, alternating_),
+                  root_mm(planet, hob_1, outside.contact(), force_S_, m, alternating_),
                   root_mm(sun, rounding(hob_s), outside.contact(), force_S_, m, 1.0),
                   ring_mm(ring, tool, within.contact(), force_F_, m)});
     missed.ask(given_.widest_mm(m, std::min(z_.sun, z_.planet_1)) - width);
@@ -355,6 +379,40 @@ class Train {
     finish(layer, missed, width, area);
     layer.inertia_kg_m2 =
         turning(width, size, std::max(0.0, size - rim), sun_speed_) + planets(width, planet, m, a);
+    const double inner = 1e-3 * m * (f + 2.0 * xf);
+    layer.inertia_kg_m2 += turning(width, inner + rim, inner, ring_1_speed_);
+    return layer;
+  }
+
+  /// The first layer of a compound train: no ring is around it.
+  Layer sun_and_planets(double centre_mm, double x1) const {
+    Layer layer;
+    const double m = z_.module_1_mm, a = centre_mm / m;
+    const double s = whole(z_.sun), p = whole(z_.planet_1);
+    const double cosine = 0.5 * (s + p) * kCos / a;
+    if (!(cosine < 1.0)) return layer;
+    const double out = std::acos(cosine), y = a - 0.5 * (s + p);
+    const double xs = (s + p) * (inv(out) - kInv) / (2.0 * kTan) - x1;
+    const Gear sun{s, xs, s + 2.0 * (1.0 + y - x1)};
+    const Gear planet{p, x1, p + 2.0 * std::min(1.0 + y - xs, 1.0 + x1)};
+    layer.sun_shift = xs;
+    const Pair outside{false, sun, planet, a, out};
+    Missed missed;
+    ask_planet(planet, a, m, missed);
+    missed.ask((given_.space_mm - 2.0 * m * (a + planet.ra())) / m);
+    ask_sun(outside, m, missed);
+    const double hob_s = rounding(largest_hob(sun, outside.deepest(false)));
+    const double hob_p = rounding(largest_hob(planet, outside.deepest(true)));
+    const double width = std::max({given_.least_width_mm, flank_mm(outside, force_S_, m, false),
+                                   flank_mm(outside, force_S_, m, true),
+                                   root_mm(planet, hob_p, outside.contact(), force_S_, m, 1.0),
+                                   root_mm(sun, hob_s, outside.contact(), force_S_, m, 1.0)});
+    missed.ask(given_.widest_mm(m, std::min(z_.sun, z_.planet_1)) - width);
+    layer.efficiency = {efficiency(outside), 1.0};
+    const double rim = 1e-3 * (2.5 * m + 2.0 * given_.wall_mm(m));
+    const double size = 1e-3 * m * (s + 2.0 * xs), bore = std::max(0.0, size - rim);
+    finish(layer, missed, width, planets_area(planet, m) + sq(size) - sq(bore));
+    layer.inertia_kg_m2 = turning(width, size, bore, sun_speed_) + planets(width, planet, m, a);
     return layer;
   }
 
@@ -365,7 +423,7 @@ class Train {
       return layer;
     }
     const double m = z_.module_2_mm, a = centre_mm / m;
-    const double p = whole(z_.planet_2), o = whole(z_.output_ring);
+    const double p = whole(z_.planet_2), o = whole(z_.ring_2);
     const double cosine = 0.5 * (o - p) * kCos / a;
     if (!(cosine < 1.0)) return layer;
     const double in = std::acos(cosine);
@@ -385,7 +443,8 @@ class Train {
     finish(layer, missed, width, planets_area(planet, m) + ring_area(ring, m));
     const double inner = 1e-3 * m * (o + 2.0 * xo);
     const double outer = inner + 1e-3 * (2.5 * m + 2.0 * given_.wall_mm(m));
-    layer.inertia_kg_m2 = turning(width, outer, inner, 1.0) + planets(width, planet, m, a);
+    layer.inertia_kg_m2 =
+        turning(width, outer, inner, ring_2_speed_) + planets(width, planet, m, a);
     return layer;
   }
 
@@ -397,12 +456,14 @@ class Train {
                  z_.module_2_mm * (0.5 * whole(z_.planet_2) + 1.0 + x2));
     }
     missed.ask(given_.number("max_axial_length_mm", kNone) - first.width_mm - second.width_mm);
-    const double a = first.efficiency[0], b = first.efficiency[1], c = second.efficiency[0];
+    const std::array<double, 2> rings{first.efficiency[1], second.efficiency[0]};
+    const double a = first.efficiency[0], b = rings[held_ - 1];
+    const double c = output_ring_ > 0 ? rings[output_ring_ - 1] : 1.0;
     double forward =
         (1.0 + a * b * ratio_1_) * (1.0 - ratio_2_) / ((1.0 + ratio_1_) * (1.0 - b * c * ratio_2_));
     double backward =
         a * (1.0 + ratio_1_) * (b * c - ratio_2_) / (c * (a * b + ratio_1_) * (1.0 - ratio_2_));
-    if (z_.planet_2 == 0) {
+    if (output_ring_ == 0) {
       forward = (1.0 + a * b * ratio_1_) / (1.0 + ratio_1_);
       backward = (1.0 + ratio_1_) / (1.0 + ratio_1_ / (a * b));
     }
@@ -419,15 +480,39 @@ class Train {
   static double whole(std::int64_t number) { return static_cast<double>(number); }
   static double rounding(double largest) { return std::max(0.0, std::min(0.38, largest)); }
 
-  void ask_ring(const Pair& pair, double m, Missed& missed) const {
-    const Gear& planet = pair.first;
-    const Gear& ring = pair.second;
-    missed.ask((2.0 * pair.centre * m * std::sin(kPi / whole(z_.planets)) - m * planet.tip -
+  void ask_planet(const Gear& planet, double centre, double m, Missed& missed) const {
+    missed.ask((2.0 * centre * m * std::sin(kPi / whole(z_.planets)) - m * planet.tip -
                 given_.neighbour_mm) /
                m);
     missed.ask(planet.x - (1.0 - 0.5 * planet.z * sq(kSin)));
     missed.ask(planet.x - given_.least_x);
     missed.ask(given_.most_x - planet.x);
+    missed.ask(thickness(planet, false) - given_.tip_thickness);
+  }
+
+  void ask_sun(const Pair& pair, double m, Missed& missed) const {
+    const Gear& sun = pair.first;
+    const Gear& planet = pair.second;
+    missed.ask(sun.x - given_.least_x);
+    missed.ask(given_.most_x - sun.x);
+    missed.ask(sun.x - (1.0 - 0.5 * sun.z * sq(kSin)));
+    missed.ask(pair.contact() - given_.contact);
+    missed.ask(pair.deepest(false));
+    missed.ask(pair.deepest(true));
+    missed.ask(thickness(sun, false) - given_.tip_thickness);
+    missed.ask(largest_hob(sun, pair.deepest(false)));
+    missed.ask(largest_hob(planet, pair.deepest(true)));
+    missed.ask(pair.centre - planet.ra() - (0.5 * sun.z + sun.x - 1.25));
+    missed.ask(pair.centre - sun.ra() - (0.5 * planet.z + planet.x - 1.25));
+    const double shaft = given_.number("min_hollow_shaft_diameter_mm", -kNone);
+    const double shaft_wall = given_.number("hollow_shaft_wall_mm", given_.wall_mm(m));
+    missed.ask(m * (sun.z + 2.0 * sun.x - 2.5) - 2.0 * shaft_wall - shaft);
+  }
+
+  void ask_ring(const Pair& pair, double m, Missed& missed) const {
+    const Gear& planet = pair.first;
+    const Gear& ring = pair.second;
+    ask_planet(planet, pair.centre, m, missed);
     missed.ask((given_.space_mm - m * (ring.z + 2.0 * ring.x + 2.5)) / (2.0 * m) -
                given_.wall_mm(m) / m);
     missed.ask(ring.tip - ring.z * kCos);
@@ -440,7 +525,6 @@ class Train {
     missed.ask(first * planet.z / ring.z + inv(pair.angle) - inv(ring.at()) - second);
     missed.ask(pair.contact() - given_.contact);
     missed.ask(largest_hob(planet, pair.deepest(false)));
-    missed.ask(thickness(planet, false) - given_.tip_thickness);
     missed.ask(thickness(ring, true) - given_.tip_thickness);
     const Tool tool = tool_of(pair);
     if (tool.fits) missed.ask(tool.largest);
@@ -537,7 +621,9 @@ class Train {
   const Given& given_;
   LoadedTeeth z_;
   double force_S_, force_F_, force_O_, ratio_1_, ratio_2_;
-  double sun_speed_, carrier_speed_, planet_speed_;
+  double sun_speed_, carrier_speed_, planet_speed_, ring_1_speed_, ring_2_speed_;
+  double alternating_;
+  std::size_t held_ = 1, output_ring_ = 0;  ///< Layers, counted from 1; the carrier: 0.
 };
 
 /// The continuous problem of one choice.
@@ -646,21 +732,34 @@ bool has_ratio(const json& problem, double a, double b) {
   return std::abs(a / b - target) <= std::abs(target) * part + 1e-9 * std::abs(target);
 }
 
-/// The output's angle, sun and fixed ring held, for a backlash of 1 mm along every mesh's line of
+/// The output's angle, sun and held ring still, for a backlash of 1 mm along every mesh's line of
 /// action: of each mesh alone, added up. With base radii r the carrier's psi and a planet's x in it
-/// solve r_S psi + r_1 x = j_S, r_F psi - r_1 x = j_F, and the output's is psi - r_2 x/r_O +
+/// solve r_S psi + r_1 x = j_S, r_h psi - r_p x = j_h; an output ring turns by psi - r_q x/r_O +
 /// j_O/r_O.
-double backlash(const LoadedTeeth& z) {
+double backlash(const LoadedTeeth& z, const std::string& topology) {
   const auto base = [](double m, std::int64_t teeth) {
     return 0.5 * m * kCos * static_cast<double>(teeth);
   };
-  const double both = base(z.module_1_mm, z.sun) + base(z.module_1_mm, z.fixed_ring);
-  if (z.planet_2 == 0) return 2.0 / both;
-  const double r1 = base(z.module_1_mm, z.planet_1), r2 = base(z.module_2_mm, z.planet_2);
-  const double held = base(z.module_1_mm, z.fixed_ring), ring = base(z.module_2_mm, z.output_ring);
-  const double by_sun = 1.0 / both - r2 / ring * (held / both) / r1;
-  const double by_held = 1.0 / both - r2 / ring * (held / both - 1.0) / r1;
-  return std::abs(by_sun) + std::abs(by_held) + 1.0 / ring;
+  const bool holds_first = topology == "3k" || topology == "planetary";
+  const double sun = base(z.module_1_mm, z.sun), planet_1 = base(z.module_1_mm, z.planet_1);
+  const double planet_2 = base(z.module_2_mm, z.planet_2);
+  const double ring_1 = base(z.module_1_mm, z.ring_1), ring_2 = base(z.module_2_mm, z.ring_2);
+  const double held = holds_first ? ring_1 : ring_2;
+  const double beside_held = holds_first ? planet_1 : planet_2;
+  const double determinant = -sun * beside_held - held * planet_1;
+  // Columns of the inverse: psi and x for j_S = 1, and for j_h = 1.
+  const double psi_sun = -beside_held / determinant, x_sun = -held / determinant;
+  const double psi_held = -planet_1 / determinant, x_held = sun / determinant;
+  const bool has_output = topology == "3k" || topology == "3k_b";
+  if (!has_output) return std::abs(psi_sun) + std::abs(psi_held);
+  const double output = holds_first ? ring_2 : ring_1;
+  const double roll = (holds_first ? planet_2 : planet_1) / output;
+  return std::abs(psi_sun - roll * x_sun) + std::abs(psi_held - roll * x_held) + 1.0 / output;
+}
+
+std::int64_t most_in_bore(const json& p, double m) {
+  return static_cast<std::int64_t>(
+      std::floor(p["rotor_inner_diameter_mm"].get<double>() / m + 1e-9));
 }
 
 void each_single_stage(const json& p, const std::function<void(const LoadedTeeth&)>& visit) {
@@ -727,14 +826,94 @@ void each_choice(const json& p, const std::function<void(const LoadedTeeth&)>& v
   }
 }
 
+/// A whole number of modules and planets, and all sizes of the first layer that the bore holds.
+using FirstLayer =
+    std::function<void(std::int64_t n, double m1, double m2, std::int64_t s, std::int64_t p1)>;
+void each_first_layer(const json& p, const FirstLayer& visit) {
+  const json second = p["synthesis"].value("layer_2_module_mm", json());
+  for (const std::int64_t n : list_of<std::int64_t>(p["planet_count"])) {
+    for (const double m1 : list_of<double>(p["module_mm"])) {
+      for (const double m2 : second.is_null() ? std::vector{m1} : list_of<double>(second)) {
+        const std::int64_t most = most_in_bore(p, m1);
+        for (std::int64_t s = p["min_teeth"]["sun"]; s <= most; ++s) {
+          for (std::int64_t p1 = p["min_teeth"]["planet_1"]; p1 <= most; ++p1) {
+            const double gap = kPi / static_cast<double>(n) -
+                               std::asin(static_cast<double>(p1) / static_cast<double>(s + p1));
+            if (gap < p["min_carrier_clearance_rad"].get<double>() - 1e-12) continue;
+            visit(n, m1, m2, s, p1);
+          }
+        }
+      }
+    }
+  }
+}
+
+/// Whether n planets with teeth p1 and p2 in the same place on all can stand equally spaced: some
+/// turn of the planet at the first place puts its teeth into the spaces of both central gears.
+/// `first`: teeth of a ring around p1, below zero of a sun inside.
+bool stands_alike(std::int64_t n, std::int64_t first, std::int64_t p1, std::int64_t second,
+                  std::int64_t p2) {
+  // In parts of 1/(n p1 p2) of a turn: p1 x = -first/n and p2 x = -second/n modulo whole turns.
+  for (std::int64_t k = 0; k < p1; ++k) {
+    const std::int64_t x = (k * n - first) * p2;
+    const std::int64_t rest = (x * p2 + second * p1 * p2) % (n * p1 * p2);
+    if (rest == 0) return true;
+  }
+  return false;
+}
+
+void each_second_layer(const json& p, double between, std::int64_t m2_most,
+                       const std::function<void(std::int64_t, std::int64_t)>& visit) {
+  const auto off = p["synthesis"]["ring_teeth_off"].get<double>();
+  for (std::int64_t p2 = p["min_teeth"]["planet_2"]; p2 <= m2_most; ++p2) {
+    for (std::int64_t ring = p2 + 1; ring <= m2_most; ++ring) {
+      if (std::abs(static_cast<double>(ring - p2) - between) <= off + 1e-9) visit(p2, ring);
+    }
+  }
+}
+
+void each_compound(const json& p, const std::function<void(const LoadedTeeth&)>& visit) {
+  each_first_layer(p, [&](auto n, double m1, double m2, auto s, auto p1) {
+    if (s + 2 * p1 > most_in_bore(p, m1)) return;
+    const double between = static_cast<double>(s + p1) * m1 / m2;
+    each_second_layer(p, between, most_in_bore(p, m2), [&](auto p2, auto ring) {
+      const LoadedTeeth teeth{s, p1, p2, 0, ring, n, m1, m2};
+      if (has_ratio(p, static_cast<double>(s * p2 + p1 * ring), static_cast<double>(s * p2)) &&
+          stands_alike(n, -s, p1, ring, p2)) {
+        visit(teeth);
+      }
+    });
+  });
+}
+
+void each_three_k_b(const json& p, const std::function<void(const LoadedTeeth&)>& visit) {
+  const std::int64_t off = p["synthesis"]["ring_teeth_off"];
+  each_first_layer(p, [&](auto n, double m1, double m2, auto s, auto p1) {
+    for (std::int64_t o = s + 2 * p1 - off; o <= s + 2 * p1 + off; ++o) {
+      if (o > most_in_bore(p, m1) || (s + o) % n != 0) continue;
+      const double between = static_cast<double>(s + p1) * m1 / m2;
+      each_second_layer(p, between, most_in_bore(p, m2), [&](auto p2, auto f) {
+        const LoadedTeeth teeth{s, p1, p2, o, f, n, m1, m2};
+        const Motion motion = motion_of(teeth, "3k_b");
+        if (motion.output() <= 1e-12 || !has_ratio(p, motion.sun, motion.output())) return;
+        if (stands_alike(n, o, p1, f, p2)) visit(teeth);
+      });
+    }
+  });
+}
+
 }  // namespace
 
 LoadedTrains enumerate_loaded_trains(const json& problem, int steps) {
   const Given given(problem);
   LoadedTrains found;
-  const auto each = problem["topology"] == "planetary" ? each_single_stage : each_choice;
+  const std::string topology = problem["topology"];
+  const auto each = topology == "planetary"  ? each_single_stage
+                    : topology == "compound" ? each_compound
+                    : topology == "3k_b"     ? each_three_k_b
+                                             : each_choice;
   each(problem, [&](const LoadedTeeth& teeth) {
-    if (backlash(teeth) > given.number("max_backlash_rad_per_mm", kNone)) return;
+    if (backlash(teeth, topology) > given.number("max_backlash_rad_per_mm", kNone)) return;
     ++found.choices;
     const double best = found.lightest ? found.lightest->mass_kg : kNone;
     const auto train = Descent(given, teeth, steps).run(best);

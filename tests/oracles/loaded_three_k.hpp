@@ -10,10 +10,10 @@
 
 namespace torquewright::oracles {
 
-/// Whole numbers of a train, and the layers' modules. A planetary one has no planet 2 and no output
-/// ring: 0; its ring is the fixed one.
+/// Whole numbers of a train, and the layers' modules. Rings by layer, that of the sun first; what a
+/// train does not have is 0.
 struct LoadedTeeth {
-  std::int64_t sun = 0, planet_1 = 0, planet_2 = 0, fixed_ring = 0, output_ring = 0, planets = 0;
+  std::int64_t sun = 0, planet_1 = 0, planet_2 = 0, ring_1 = 0, ring_2 = 0, planets = 0;
   double module_1_mm = 0.0, module_2_mm = 0.0;
 };
 

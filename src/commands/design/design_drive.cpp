@@ -106,7 +106,7 @@ DesignInputs read(const DesignRequest& request) {
   question.drivetrain = drivetrain_of(request.drive, robot);
   question.shelf = shelf_of(request, robot, question.drivetrain);
   inputs.problem_document = gearbox::read_problem_document(request.problem_file);
-  question.problem = gearbox::read_problem(inputs.problem_document);
+  question.problem = gearbox::read_open_problem(inputs.problem_document);
   require_friction(question.problem, request.problem_file);
   question.ratios = request.ratios.empty()
                         ? std::vector<io::Rational>{abs(question.problem.target_ratio)}

@@ -65,7 +65,7 @@ gearbox::DesignSearchOptions search_options(const OptimizeRequest& request,
 
 ReadProblem read(const OptimizeRequest& request) {
   io::Document document = gearbox::read_problem_document(request.problem_file);
-  gearbox::Problem problem = gearbox::read_problem(document);
+  gearbox::Problem problem = gearbox::read_open_problem(document);
   check_outputs(request.outputs, request.problem_file);
   if (problem.synthesis) return {std::move(document), std::move(problem)};
   if (request.relaxation == "always" && !gearbox::can_be_relaxed(problem)) {

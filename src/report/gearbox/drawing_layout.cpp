@@ -106,16 +106,16 @@ gearbox::CutTrain cut_for(const DrawnGearbox& drawing) {
   return *cut;
 }
 
-/// Gears, a view of each layer, which a ring's mesh makes, and how they stand.
+/// Gears, a view of each layer, and how they stand.
 void add_parts(DrawingLayout& layout, const gearbox::CutTrain& cut) {
   const gearbox::Topology& topology = *gearbox::find_topology(layout.drawing.topology);
   for (std::size_t i = 0; i < topology.gears.size(); ++i) {
     layout.gears.push_back(make_gear(topology.drawn[i], cut.gears[i]));
   }
   for (std::size_t layer = 0; layer < topology.views.size(); ++layer) {
-    const gearbox::MeshedGears& mesh = topology.meshes[layer + 1];
-    layout.layers.push_back(
-        {std::string(topology.views[layer]), mesh.gear_1, mesh.gear_2, layer > 0});
+    layout.layers.push_back({std::string(topology.views[layer]),
+                             gearbox::TrainParts::planet_of_layer(layer),
+                             topology.ring_of_layer(layer), layer > 0});
   }
   layout.phase = topology.assemble(layout.drawing.teeth, layout.drawing.planet_count);
 }
@@ -152,13 +152,17 @@ void add_widths(DrawingLayout& layout) {
   }
 }
 
+/// Across the tips of opposite planets.
+double planets_reach_mm(const DrawingLayout& layout, const DrawnLayer& layer) {
+  const DrawnGear& planet = layout.gears[layer.planet];
+  return 2.0 * (layout.center_distance_mm + planet.module_mm * planet.tip_radius);
+}
+
 double largest_diameter_mm(const DrawingLayout& layout) {
   double largest_mm = 0.0;
   for (const DrawnLayer& layer : layout.layers) {
-    const double reach_mm = layout.center_distance_mm + layout.gears[layer.planet].module_mm *
-                                                            layout.gears[layer.planet].tip_radius;
     largest_mm =
-        std::max({largest_mm, 2.0 * reach_mm, blank_diameter_mm(layout, layout.gears[layer.ring])});
+        std::max({largest_mm, planets_reach_mm(layout, layer), outer_diameter_mm(layout, layer)});
   }
   return largest_mm;
 }
@@ -176,6 +180,11 @@ double ring_wall_mm(const DrawingLayout& layout, const DrawnGear& ring) {
 
 double blank_diameter_mm(const DrawingLayout& layout, const DrawnGear& ring) {
   return 2.0 * (ring.module_mm * ring.root_radius + ring_wall_mm(layout, ring));
+}
+
+double outer_diameter_mm(const DrawingLayout& layout, const DrawnLayer& layer) {
+  return layer.ring ? blank_diameter_mm(layout, layout.gears[*layer.ring])
+                    : planets_reach_mm(layout, layer);
 }
 
 DrawingLayout lay_out(const DrawnGearbox& drawing) {

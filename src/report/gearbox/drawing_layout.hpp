@@ -32,8 +32,8 @@ struct DrawnGear {
 struct DrawnLayer {
   std::string title;
   std::size_t planet = 0;
-  std::size_t ring = 0;
-  bool is_second = false;  ///< The sun is only hinted at.
+  std::optional<std::size_t> ring = {};  ///< Planets without one reach as far as they go.
+  bool is_second = false;                ///< The sun is only hinted at.
 };
 
 /// Everything of a drawing that is decided before a line is drawn.
@@ -67,5 +67,8 @@ double ring_wall_mm(const DrawingLayout& layout, const DrawnGear& ring);
 
 /// Outer diameter of a ring's blank [mm].
 double blank_diameter_mm(const DrawingLayout& layout, const DrawnGear& ring);
+
+/// Of a layer: of its ring's blank, or across the tips of opposite planets [mm].
+double outer_diameter_mm(const DrawingLayout& layout, const DrawnLayer& layer);
 
 }  // namespace torquewright::report

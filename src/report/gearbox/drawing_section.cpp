@@ -66,7 +66,8 @@ std::string body_and_teeth(const Section& section, const Slice& slice, const Dra
 }
 
 std::string ring_part(const Section& section, const Slice& slice, double side) {
-  const DrawnGear& ring = section.gear(slice.layer->ring);
+  if (!slice.layer->ring) return "";
+  const DrawnGear& ring = section.gear(*slice.layer->ring);
   const double root_mm = section.root_mm(ring), tip_mm = section.tip_mm(ring);
   return body_and_teeth(section, slice, ring,
                         {root_mm, 0.5 * blank_diameter_mm(section.layout, ring)}, {tip_mm, root_mm},
@@ -114,8 +115,7 @@ std::string center_lines(const Section& section) {
 double lowest_y(const Section& section) {
   double blank_mm = 0.0;
   for (const Slice& slice : section.slices) {
-    blank_mm =
-        std::max(blank_mm, blank_diameter_mm(section.layout, section.gear(slice.layer->ring)));
+    blank_mm = std::max(blank_mm, outer_diameter_mm(section.layout, *slice.layer));
   }
   return section.center.y + 0.5 * section.paper_mm(blank_mm);
 }
@@ -141,16 +141,21 @@ std::string label(const DrawnGear& gear, double x, double y, double outwards) {
   return svg_text(outwards < 0.0 ? "note end" : "note", {x + outwards * 3.0, y + 1.1}, gear.symbol);
 }
 
+std::string ring_label(const Section& section, const Slice& slice, double x, double outwards) {
+  if (!slice.layer->ring) return "";
+  const DrawnGear& ring = section.gear(*slice.layer->ring);
+  const double ring_mm =
+      0.5 * (section.root_mm(ring) + 0.5 * blank_diameter_mm(section.layout, ring));
+  return label(ring, x, section.center.y - section.paper_mm(ring_mm), outwards);
+}
+
 std::string labels(const Section& section) {
   std::string svg;
   for (std::size_t i = 0; i < section.slices.size(); ++i) {
     const Slice& slice = section.slices[i];
     const double outwards = i == 0 && section.slices.size() > 1 ? -1.0 : 1.0;
     const double x = outwards < 0.0 ? slice.from_x : slice.to_x;
-    const DrawnGear& ring = section.gear(slice.layer->ring);
-    const double ring_mm =
-        0.5 * (section.root_mm(ring) + 0.5 * blank_diameter_mm(section.layout, ring));
-    svg += label(ring, x, section.center.y - section.paper_mm(ring_mm), outwards);
+    svg += ring_label(section, slice, x, outwards);
     svg += label(section.gear(slice.layer->planet), x,
                  section.center.y - section.paper_mm(section.layout.center_distance_mm) - 3.0,
                  outwards);

@@ -92,10 +92,11 @@ std::string module_line(const DrawingLayout& layout) {
 /// One wall for both rings, unless each is as thick as its own teeth are high.
 std::string wall_line(const DrawingLayout& layout) {
   const auto wall = [&](const DrawnLayer& layer) {
-    return decimal(ring_wall_mm(layout, layout.gears[layer.ring]), 6);
+    return layer.ring ? decimal(ring_wall_mm(layout, layout.gears[*layer.ring]), 6) : "";
   };
-  const std::string first = wall(layout.layers.front());
   const std::string last = wall(layout.layers.back());
+  std::string first = wall(layout.layers.front());
+  if (first.empty()) first = last;
   const std::string walls = first == last ? first : fmt::format("{} and {}", first, last);
   return fmt::format("ring wall behind the root {} mm{}", walls,
                      layout.drawing.layer_2_module_mm ? "; " + centre_text(layout) : "");

@@ -30,8 +30,9 @@ struct View {
   }
   const DrawnGear& sun() const { return layout.gears.front(); }
   const DrawnGear& planet() const { return layout.gears[layer.planet]; }
-  const DrawnGear& ring() const { return layout.gears[layer.ring]; }
-  double blank_mm() const { return 0.5 * paper_mm(blank_diameter_mm(layout, ring())); }
+  /// Requires a layer that has one.
+  const DrawnGear& ring() const { return layout.gears[layer.ring.value()]; }
+  double blank_mm() const { return 0.5 * paper_mm(outer_diameter_mm(layout, layer)); }
   double bore_mm() const { return 0.5 * paper_mm(layout.drawing.hollow_shaft_diameter_mm); }
   bool has_bore() const { return bore_mm() > 0.0 && !layer.is_second; }
   Point planet_center(const PlanetPhase& planet_phase) const {
@@ -57,7 +58,8 @@ std::string placed(const std::string& id, std::string_view style, const Point& p
 std::string gears(const View& view) {
   const double ring_rad =
       view.layer.is_second ? view.layout.phase.output_ring_rad : view.layout.phase.fixed_ring_rad;
-  std::string svg = placed(view.ring().id, view.ring().id, view.center, ring_rad);
+  std::string svg;
+  if (view.layer.ring) svg += placed(view.ring().id, view.ring().id, view.center, ring_rad);
   const std::string sun_style = view.layer.is_second ? "hidden" : "sun";
   svg += placed("sun", sun_style, view.center, view.layout.phase.sun_rad);
   for (const PlanetPhase& planet : view.layout.phase.planets) {
@@ -79,7 +81,9 @@ std::string cross(const Point& center, double half_length_mm, double direction_r
 
 std::string center_lines(const View& view) {
   std::string svg = cross(view.center, view.blank_mm() + 4.0, 0.0);
-  svg += svg_circle("center", view.center, view.paper_of_modules(pitch_radius(view.ring())));
+  if (view.layer.ring) {
+    svg += svg_circle("center", view.center, view.paper_of_modules(pitch_radius(view.ring())));
+  }
   svg += svg_circle("center", view.center, view.paper_mm(view.layout.center_distance_mm));
   if (!view.layer.is_second) {
     svg += svg_circle("center", view.center, view.paper_of_modules(pitch_radius(view.sun())));
@@ -159,6 +163,7 @@ std::string sun_label(const View& view) {
 }
 
 std::string ring_label(const View& view) {
+  if (!view.layer.ring) return "";
   constexpr double kDirection_rad = 52.0 * std::numbers::pi / 180.0;
   const double wall_mm = view.paper_mm(ring_wall_mm(view.layout, view.ring()));
   return leader(on_circle(view.center, view.blank_mm() - 0.5 * wall_mm, kDirection_rad),
@@ -181,17 +186,22 @@ std::string clearance_dimension(const View& view) {
                   two_decimals((to_rad - from_rad) * 180.0 / std::numbers::pi)));
 }
 
-std::string dimensions(const View& view) {
+std::string pitch_dimension(const View& view) {
   const Point& c = view.center;
   const double pitch_mm = view.paper_of_modules(pitch_radius(view.ring()));
+  return horizontal_dimension(
+      c.x - pitch_mm, c.x + pitch_mm, c.y, c.y + view.blank_mm() + 7.0,
+      "pitch \xC3\x98 " +
+          two_decimals(static_cast<double>(view.ring().teeth) * view.ring().module_mm));
+}
+
+std::string dimensions(const View& view) {
+  const Point& c = view.center;
   const double blank_mm = view.blank_mm();
-  const double module_mm = view.ring().module_mm;
-  std::string svg = horizontal_dimension(
-      c.x - pitch_mm, c.x + pitch_mm, c.y, c.y + blank_mm + 7.0,
-      "pitch \xC3\x98 " + two_decimals(static_cast<double>(view.ring().teeth) * module_mm));
-  svg += horizontal_dimension(
-      c.x - blank_mm, c.x + blank_mm, c.y, c.y + blank_mm + 13.5,
-      "blank \xC3\x98 " + two_decimals(blank_diameter_mm(view.layout, view.ring())));
+  std::string svg = view.layer.ring ? pitch_dimension(view) : "";
+  svg += horizontal_dimension(c.x - blank_mm, c.x + blank_mm, c.y, c.y + blank_mm + 13.5,
+                              (view.layer.ring ? "blank \xC3\x98 " : "tips \xC3\x98 ") +
+                                  two_decimals(outer_diameter_mm(view.layout, view.layer)));
   const double distance_mm = view.paper_mm(view.layout.center_distance_mm);
   const double reach_mm = view.paper_of_modules(view.planet().tip_radius) + 3.0;
   svg += vertical_dimension({c.x + blank_mm + 5.0, c.y}, {c.x + reach_mm, c.y - distance_mm},

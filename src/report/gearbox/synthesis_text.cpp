@@ -15,14 +15,29 @@ namespace {
 
 using namespace gearbox;
 
+std::string among_topologies(const SynthesisResult& result) {
+  if (result.topologies.empty()) return "";
+  return fmt::format(" of {} topologies", result.topologies.size());
+}
+
+/// Of a problem that leaves the topology open: what each of them has.
+std::string topologies_text(const SynthesisResult& result) {
+  std::string text;
+  for (const TopologyAnswer& answer : result.topologies) {
+    text += design_line(answer.topology, topology_sentence(answer));
+  }
+  return text.empty() ? "" : "Topologies:\n" + text;
+}
+
 std::string verdict(const SynthesisResult& result) {
   switch (result.status) {
     case SynthesisStatus::kOptimal:
-      return fmt::format("optimal: proved within {:.2g} %, nothing is lighter than {:.6g} g.",
+      return fmt::format("optimal: proved within {:.2g} %, nothing{} is lighter than {:.6g} g.",
                          100.0 * (1.0 - result.bound_kg / result.best->mass_kg),
-                         1e3 * result.bound_kg);
+                         among_topologies(result), 1e3 * result.bound_kg);
     case SynthesisStatus::kInfeasible:
-      return "infeasible: no design satisfies all constraints, whatever its shifts.";
+      return fmt::format("infeasible: no design{} satisfies all constraints, whatever its shifts.",
+                         among_topologies(result));
     case SynthesisStatus::kLimit:
       break;
   }
@@ -32,7 +47,7 @@ std::string verdict(const SynthesisResult& result) {
 
 std::string widths_line(const SizedDesign& sized) {
   const auto& [first, second] = sized.face_width_mm;
-  if (sized.design.teeth.size() < 5) {
+  if (train_parts(sized.problem.topology).layer_count() < 2) {
     return design_line("face width", fmt::format("{:.6g} mm", first));
   }
   return design_line("face widths",
@@ -92,8 +107,9 @@ std::string synthesis_answer(const SynthesisResult& result) {
 }
 
 std::string synthesis_text(const Problem& problem, const SynthesisResult& result, bool has_all) {
-  std::string text = verdict(result) + "\n";
-  text += fmt::format("Held fixed: {}.\n", held_fixed_by_synthesis(problem));
+  std::string text = verdict(result) + "\n" + topologies_text(result);
+  const Problem& of_design = result.best ? result.best->problem : problem;
+  text += fmt::format("Held fixed: {}.\n", held_fixed_by_synthesis(of_design));
   text += conflict_text(result);
   if (result.best) text += not_asked_text(has_all) + design_of(*result.best, has_all);
   const bool is_open = result.status == SynthesisStatus::kLimit;

@@ -17,13 +17,15 @@ namespace {
 using nlohmann::json;
 
 /// Few choices of teeth, one of them near.
-json random_synthesis(std::mt19937& generator, bool is_planetary) {
+json random_synthesis(std::mt19937& generator, const std::string& topology) {
+  const bool is_planetary = topology == "planetary";
   const auto among = [&](int low, int high) {
     return low + static_cast<int>(generator() % static_cast<unsigned>(high - low + 1));
   };
-  json problem{
-      {"kind", "gearbox_problem"}, {"version", 1}, {"topology", is_planetary ? "planetary" : "3k"}};
-  problem["target_ratio"] = is_planetary ? among(30, 90) / 10.0 : among(8, 40);
+  json problem{{"kind", "gearbox_problem"}, {"version", 1}, {"topology", topology}};
+  problem["target_ratio"] = is_planetary             ? among(30, 90) / 10.0
+                            : topology == "compound" ? among(50, 140) / 10.0
+                                                     : among(8, 40);
   problem["ratio_tolerance"] = among(0, 3) / 1000.0;
   problem["rotor_inner_diameter_mm"] = among(50, 90);
   problem["module_mm"] = among(5, 10) / 10.0;
@@ -60,14 +62,14 @@ void ask_ceilings(std::mt19937& generator, const SynthesisResult& free, json& pr
   if (generator() % 3 == 0) problem["max_mass_kg"] = near(free.best->mass_kg);
 }
 
-void expect_as_light_as_enumerated(bool is_planetary, bool has_ceilings) {
+void expect_as_light_as_enumerated(const std::string& topology, bool has_ceilings) {
   const bool is_long = torquewright::test::is_long_run();
-  const int wanted = is_long ? 200 : is_planetary || has_ceilings ? 1 : 2;
+  const int wanted = is_long ? 200 : topology != "3k" || has_ceilings ? 1 : 2;
   const std::int64_t most_choices = is_long ? 40 : 3;
   std::mt19937 generator(is_long ? 7 : 12);
   int compared = 0;
   while (compared < wanted) {
-    json root = random_synthesis(generator, is_planetary);
+    json root = random_synthesis(generator, topology);
     Problem problem = test::problem_from(root);
     const auto choices = train_choices(problem, layer_modules(problem), 100000).size();
     if (choices == 0 || static_cast<std::int64_t>(choices) > most_choices) continue;
@@ -90,15 +92,29 @@ void expect_as_light_as_enumerated(bool is_planetary, bool has_ceilings) {
   }
 }
 
-TEST(Synthesis, IsAsLightAsAFineEnumeration) { expect_as_light_as_enumerated(false, false); }
+TEST(Synthesis, IsAsLightAsAFineEnumeration) { expect_as_light_as_enumerated("3k", false); }
 TEST(Synthesis, IsAsLightWithCeilings) {
   if (!torquewright::test::is_long_run()) GTEST_SKIP() << torquewright::test::kLeftOut;
-  expect_as_light_as_enumerated(false, true);
+  expect_as_light_as_enumerated("3k", true);
 }
 TEST(Synthesis, OfASingleStageIsAsLightAsAFineEnumeration) {
-  expect_as_light_as_enumerated(true, false);
+  expect_as_light_as_enumerated("planetary", false);
 }
-TEST(Synthesis, OfASingleStageIsAsLightWithCeilings) { expect_as_light_as_enumerated(true, true); }
+TEST(Synthesis, OfASingleStageIsAsLightWithCeilings) {
+  expect_as_light_as_enumerated("planetary", true);
+}
+TEST(Synthesis, OfACompoundTrainIsAsLightAsAFineEnumeration) {
+  expect_as_light_as_enumerated("compound", false);
+}
+TEST(Synthesis, OfACompoundTrainIsAsLightWithCeilings) {
+  expect_as_light_as_enumerated("compound", true);
+}
+TEST(Synthesis, OfA3kTrainOfTypeBIsAsLightAsAFineEnumeration) {
+  expect_as_light_as_enumerated("3k_b", false);
+}
+TEST(Synthesis, OfA3kTrainOfTypeBIsAsLightWithCeilings) {
+  expect_as_light_as_enumerated("3k_b", true);
+}
 
 }  // namespace
 }  // namespace torquewright::gearbox

@@ -37,8 +37,22 @@ inline nlohmann::json small_stage() {
   return problem;
 }
 
+/// 9:1 for 40 Nm that leaves the topology open, of few choices of each.
+inline nlohmann::json small_open_problem() {
+  nlohmann::json problem = small_synthesis();
+  problem["topology"] = "any";
+  problem["target_ratio"] = 9;
+  problem["rotor_inner_diameter_mm"] = 60;
+  problem["module_mm"] = 0.5;
+  problem["planet_count"] = 3;
+  problem["min_teeth"] = {{"sun", 14}, {"planet_1", 20}, {"planet_2", 14}, {"planet", 14}};
+  problem["load"]["output_torque_Nm"] = 40;
+  problem["synthesis"]["gap"] = 0.005;
+  return problem;
+}
+
 inline Problem problem_from(const nlohmann::json& root) {
-  return read_problem(io::check_document(root, "gearbox_problem", "test.json", ""));
+  return read_open_problem(io::check_document(root, "gearbox_problem", "test.json", ""));
 }
 
 }  // namespace torquewright::gearbox::test

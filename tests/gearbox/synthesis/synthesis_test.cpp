@@ -112,6 +112,45 @@ TEST(Synthesis, HasAValidBoundWhereverItIsEnded) {
   }
 }
 
+// Oracle: the same problem with each topology stated.
+TEST(Synthesis, OfAnOpenTopologyIsTheLightestOfEachAndProvesAll) {
+  const nlohmann::json open = test::small_open_problem();
+  const SynthesisResult found = synthesise(test::problem_from(open));
+  ASSERT_EQ(found.status, SynthesisStatus::kOptimal);
+  ASSERT_EQ(found.topologies.size(), all_train_parts().size());
+  double lightest_kg = 1e300, bound_kg = 1e300;
+  int feasible = 0;
+  for (const TopologyAnswer& answer : found.topologies) {
+    const nlohmann::json stated = as_topology(open, train_parts(answer.topology));
+    const SynthesisResult alone = synthesise(test::problem_from(stated));
+    EXPECT_EQ(answer.status, alone.status) << answer.topology;
+    EXPECT_EQ(answer.choices, alone.choices) << answer.topology;
+    EXPECT_EQ(answer.bound_kg, alone.bound_kg) << answer.topology;
+    bound_kg = std::min(bound_kg, alone.bound_kg);
+    if (!alone.best) continue;
+    ++feasible;
+    EXPECT_EQ(answer.mass_kg, alone.best->mass_kg) << answer.topology;
+    lightest_kg = std::min(lightest_kg, alone.best->mass_kg);
+  }
+  EXPECT_GE(feasible, 2);
+  EXPECT_LT(feasible, 4);  // And of one it is proved that there is none.
+  EXPECT_EQ(found.best->mass_kg, lightest_kg);
+  EXPECT_EQ(found.bound_kg, bound_kg);
+}
+
+TEST(Synthesis, OfAnOpenTopologySharesItsBoxesAndKeepsAValidBound) {
+  const Problem problem = test::problem_from(test::small_open_problem());
+  const SynthesisResult whole = synthesise(problem);
+  for (const std::int64_t boxes : {std::int64_t{1}, whole.boxes / 4, whole.boxes / 2}) {
+    SynthesisOptions options;
+    options.max_boxes = boxes;
+    const SynthesisResult ended = synthesise(problem, options);
+    EXPECT_EQ(ended.status, SynthesisStatus::kLimit) << boxes;
+    EXPECT_LE(ended.bound_kg, whole.best->mass_kg) << boxes;
+    EXPECT_LT(ended.boxes, whole.boxes);
+  }
+}
+
 TEST(Synthesis, KeepsFloorsAndSaysWhereNoneIsLeft) {
   nlohmann::json root = test::small_synthesis();
   const SynthesisResult free = synthesise(test::problem_from(root));

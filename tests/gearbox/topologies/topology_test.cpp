@@ -50,7 +50,7 @@ TEST_P(EachTopology, HasPartsThatFitEachOther) {
             each.gears.size());
   ASSERT_EQ(each.gear_layers.size(), each.gears.size());
   EXPECT_TRUE(each.is_ring(each.held_ring));
-  ASSERT_EQ(each.meshes.size(), each.layer_count() + 1);
+  ASSERT_EQ(each.meshes.size(), 1 + each.gears.size() - each.free_gears);
   for (std::size_t i = 0; i < each.meshes.size(); ++i) {
     const MeshedGears& mesh = each.meshes[i];
     EXPECT_EQ(each.gear_layers[mesh.gear_1], each.gear_layers[mesh.gear_2]) << mesh.name;
@@ -65,7 +65,7 @@ TEST_P(EachTopology, HasPartsThatFitEachOther) {
 }
 
 TEST_P(EachTopology, IsFoundByItsName) {
-  EXPECT_EQ(find_topology(topology().name)->evaluate, topology().evaluate);
+  EXPECT_EQ(find_topology(topology().name)->meshes.size(), topology().meshes.size());
   EXPECT_EQ(find_train_parts(topology().name)->gears, topology().gears);
 }
 

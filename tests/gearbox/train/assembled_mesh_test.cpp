@@ -65,6 +65,24 @@ std::vector<Mesh> meshes_planetary(std::int64_t sun_teeth, std::int64_t planet_t
   return meshes;
 }
 
+std::vector<Mesh> meshes_compound(std::int64_t sun_teeth, std::int64_t planet_1_teeth,
+                                  std::int64_t planet_2_teeth, std::int64_t planet_count) {
+  const std::int64_t ring_teeth = sun_teeth + planet_1_teeth + planet_2_teeth;
+  const AssemblyPhase phase =
+      assemble_compound(sun_teeth, planet_1_teeth, planet_2_teeth, ring_teeth, planet_count);
+  const double a = center_distance(sun_teeth, planet_1_teeth);
+  const PlacedGear sun{external_gear(sun_teeth), {}, phase.sun_rad};
+  const PlacedGear ring{internal_gear(ring_teeth), {}, phase.output_ring_rad};
+  const ToothForm form_2 = external_gear_in_ring(planet_2_teeth, 0.0, ring.form, a);
+  std::vector<Mesh> meshes;
+  for (const PlanetPhase& planet : phase.planets) {
+    const Point place = at(a, planet.position_rad);
+    meshes.push_back({"sun", {external_gear(planet_1_teeth), place, planet.planet_1_rad}, sun});
+    meshes.push_back({"ring", {form_2, place, planet.planet_2_rad}, ring});
+  }
+  return meshes;
+}
+
 void expect_mesh(const Mesh& mesh) {
   const Contact contact = measure_contact(mesh.gear, mesh.mate);
   EXPECT_LE(contact.deepest(), kTolerance) << mesh.name;
@@ -115,6 +133,14 @@ TEST(AssembledMesh, PlanetaryMeshes) {
   for (const Mesh& mesh : meshes_planetary(45, 30, 105, 3)) expect_mesh(mesh);
   for (const Mesh& mesh : meshes_planetary(25, 65, 155, 3)) expect_mesh(mesh);
   for (const Mesh& mesh : meshes_planetary(24, 33, 90, 5)) expect_mesh(mesh);
+}
+
+// Planets alike, of two part numbers, and each another; both parities of planet 1.
+TEST(AssembledMesh, CompoundMeshes) {
+  for (const Mesh& mesh : meshes_compound(24, 44, 22, 4)) expect_mesh(mesh);
+  for (const Mesh& mesh : meshes_compound(21, 45, 26, 4)) expect_mesh(mesh);
+  for (const Mesh& mesh : meshes_compound(25, 43, 30, 5)) expect_mesh(mesh);
+  for (const Mesh& mesh : meshes_compound(24, 30, 36, 3)) expect_mesh(mesh);
 }
 
 TEST(AssembledMesh, RandomDesignsMesh) {
