@@ -180,11 +180,13 @@ class NodeBound {
   NodeBound(const InnerCase& inner, double cutoff_kg, InnerNode& node)
       : inner_(inner), cutoff_kg_(cutoff_kg), node_(node) {}
 
+  InnerBound run_roughly() {
+    if (rebound_all() && find_lightest_pair()) narrow();
+    return std::move(result_);
+  }
+
   InnerBound run() {
-    // The second layer is the cheaper one, and its mass leaves the first less.
-    for (const std::size_t layer : {1U, 0U}) {
-      if (!rebound(layer)) return std::move(result_);
-    }
+    if (!rebound_all()) return std::move(result_);
     constexpr int kMostSplits = 400;
     for (int split = 0; split < kMostSplits; ++split) {
       if (!find_lightest_pair()) return std::move(result_);
@@ -198,6 +200,9 @@ class NodeBound {
   }
 
  private:
+  /// The second layer is the cheaper one, and its mass leaves the first less.
+  bool rebound_all() { return rebound(1) && rebound(0); }
+
   double least_of(std::size_t layer) const {
     double least = kInfinity;
     for (const LayerCell& cell : node_.cells[layer]) least = std::min(least, cell.mass_kg);
@@ -412,6 +417,10 @@ std::optional<double> mass_at(const InnerCase& inner, const std::array<double, 3
   if (violation != nullptr) *violation = below;
   if (below > 0.0 || !std::isfinite(mass_kg)) return std::nullopt;
   return mass_kg;
+}
+
+InnerBound bound_roughly(const InnerCase& inner, double cutoff_kg, InnerNode& node) {
+  return NodeBound(inner, cutoff_kg, node).run_roughly();
 }
 
 InnerBound bound_inner(const InnerCase& inner, double cutoff_kg, InnerNode& node) {

@@ -38,6 +38,9 @@ struct InnerBound {
 /// as that helps more than splitting the centre distances would.
 InnerBound bound_inner(const InnerCase& inner, double cutoff_kg, InnerNode& node);
 
+/// The same in a hurry: no shifts are split, and the layers are bounded each by itself.
+InnerBound bound_roughly(const InnerCase& inner, double cutoff_kg, InnerNode& node);
+
 /// Mass at a point; nothing where a margin is below 0. `violation` says how far, in all.
 std::optional<double> mass_at(const InnerCase& inner, const std::array<double, 3>& point,
                               double* violation = nullptr);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <queue>
+#include <set>
 #include <utility>
 
 #include "gearbox/any_topology.hpp"
@@ -19,6 +20,8 @@ using optimization::kInfinity;
 constexpr std::size_t kUnopened = std::numeric_limits<std::size_t>::max();
 /// Relative width of a box below which rounding decides; what is left open there keeps its bound.
 constexpr double kLeastWidth = 1e-10;
+/// Parts of a slice's shifts to begin with.
+constexpr int kCells = 5;
 
 /// A choice that is not opened yet, or a part of one that is.
 struct Node {
@@ -88,7 +91,7 @@ class Search {
     const InnerCase inner = inner_case(problem_, modules_, choices_[node.choice]);
     if (node.part == kUnopened) return open(node.choice, inner);
     InnerNode part = take(node.part);
-    const InnerBound bound = bounded(inner, part);
+    const InnerBound bound = bounded(inner, part, bound_inner);
     if (bound.is_empty) return;
     const double bound_kg = std::max(node.bound_kg, bound.mass_kg * (1.0 - 1e-9));
     if (bound_kg >= cutoff_kg()) return;
@@ -96,48 +99,68 @@ class Search {
     if (bound_kg < cutoff_kg()) split(node.choice, part, bound_kg);
   }
 
-  InnerBound bounded(const InnerCase& inner, InnerNode& part) {
+  using Bound = InnerBound (*)(const InnerCase&, double, InnerNode&);
+
+  InnerBound bounded(const InnerCase& inner, InnerNode& part, Bound bound) {
     ++result_.boxes;
     if (result_.boxes % 256 == 0) report();
-    return bound_inner(inner, cutoff_kg(), part);
+    return bound(inner, cutoff_kg(), part);
   }
 
-  /// Slices of the centre distance that are narrow enough for bounds to say something.
+  /// Slices of the centre distance that are narrow enough for bounds to say something; of most
+  /// choices that no design can be made of, a rough bound of the whole says so.
   void open(std::size_t choice, const InnerCase& inner) {
     ++result_.opened;
     const auto whole = inner_box(problem_, inner);
     if (!whole) return exclude("profile_shift");
-    constexpr double kSlice = 0.3;  // In modules.
-    const Interval& range = (*whole)[0];
-    const double width = range.upper - range.lower;
-    const int slices = static_cast<int>(std::ceil(width / (kSlice * inner.module_mm[0])));
-    std::map<std::string, int> reasons;
-    for (int i = 0; i < slices; ++i) {
-      const double step = width / slices;
-      InnerBox box = *whole;
-      box[0].lower = range.lower + i * step;
-      if (i + 1 < slices) box[0].upper = range.lower + (i + 1) * step;
-      InnerNode part = whole_node(box, inner.has_second_layer);
-      const InnerBound bound = bounded(inner, part);
-      if (bound.is_empty && bound.empty_margin) {
-        const auto [layer, margin] = *bound.empty_margin;
-        ++reasons[margin_names(inner, layer)[margin]];
-      }
-      const double bound_kg = bound.mass_kg * (1.0 - 1e-9);
-      if (bound.is_empty || bound_kg >= cutoff_kg()) continue;
-      queue_.push({bound_kg, choice, keep(std::move(part))});
+    InnerNode all = whole_node(*whole, inner.has_second_layer, 1);
+    const InnerBound rough = bounded(inner, all, bound_roughly);
+    std::set<std::string> reasons;
+    if (is_of_interest(rough)) {
+      open_slices(choice, inner, {all.centre_mm, (*whole)[1]}, reasons);
+    } else {
+      reasons.insert(reason_of(inner, rough));
     }
-    if (reasons.size() == 1 && reasons.begin()->second == slices) exclude(reasons.begin()->first);
+    if (reasons.size() == 1 && !reasons.begin()->empty()) exclude(*reasons.begin());
   }
 
-  static InnerNode whole_node(const InnerBox& box, bool has_second_layer) {
-    constexpr int kCells = 5;
+  void open_slices(std::size_t choice, const InnerCase& inner, const InnerBox& whole,
+                   std::set<std::string>& reasons) {
+    constexpr double kSlice = 0.3;  // In modules.
+    const double width = whole[0].upper - whole[0].lower;
+    const int slices =
+        std::max(1, static_cast<int>(std::ceil(width / (kSlice * inner.module_mm[0]))));
+    for (int i = 0; i < slices; ++i) {
+      const double step = width / slices;
+      InnerBox box = whole;
+      box[0].lower = whole[0].lower + i * step;
+      if (i + 1 < slices) box[0].upper = whole[0].lower + (i + 1) * step;
+      InnerNode part = whole_node(box, inner.has_second_layer, kCells);
+      const InnerBound bound = bounded(inner, part, bound_inner);
+      reasons.insert(reason_of(inner, bound));
+      if (!is_of_interest(bound)) continue;
+      queue_.push({bound.mass_kg * (1.0 - 1e-9), choice, keep(std::move(part))});
+    }
+  }
+
+  bool is_of_interest(const InnerBound& bound) const {
+    return !bound.is_empty && bound.mass_kg * (1.0 - 1e-9) < cutoff_kg();
+  }
+
+  /// The margin that leaves nothing of a part; none: it takes more than one, or the mass.
+  static std::string reason_of(const InnerCase& inner, const InnerBound& bound) {
+    if (!bound.is_empty || !bound.empty_margin) return "";
+    const auto [layer, margin] = *bound.empty_margin;
+    return margin_names(inner, layer)[margin];
+  }
+
+  static InnerNode whole_node(const InnerBox& box, bool has_second_layer, int parts) {
     InnerNode node{box[0], {}};
-    const double step = (box[1].upper - box[1].lower) / kCells;
-    for (int i = 0; i < kCells; ++i) {
+    const double step = (box[1].upper - box[1].lower) / parts;
+    for (int i = 0; i < parts; ++i) {
       LayerCell cell{.box = box};
       cell.box[1].lower = box[1].lower + i * step;
-      if (i + 1 < kCells) cell.box[1].upper = box[1].lower + (i + 1) * step;
+      if (i + 1 < parts) cell.box[1].upper = box[1].lower + (i + 1) * step;
       for (auto& cells : node.cells) cells.push_back(cell);
     }
     if (!has_second_layer) node.cells[1] = {LayerCell{.box = {box[0], Interval{0.0, 0.0}}}};

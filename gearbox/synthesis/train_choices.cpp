@@ -268,7 +268,8 @@ void set_bounds(const Problem& problem, const Rational& module_mm, InnerCase& in
   inner.ring_space_mm = io::nearest(ring_space_mm(problem));
   inner.min_contact_ratio = io::nearest(problem.min_contact_ratio);
   inner.min_neighbour_clearance_mm = io::nearest(problem.min_neighbour_clearance_mm);
-  inner.sun_under_second_layer = inner.has_second_layer && problem.sun_under_second_layer;
+  inner.sun_under_second_layer =
+      may_sun_pass(train_parts(problem.topology)) && problem.sun_under_second_layer;
   inner.min_tip_thickness = io::nearest(problem.synthesis->least_tip_thickness);
   inner.least_shift = io::nearest(problem.synthesis->least_shift);
   inner.greatest_shift = io::nearest(problem.synthesis->greatest_shift);

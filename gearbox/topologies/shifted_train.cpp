@@ -12,6 +12,7 @@
 #include "gearbox/constraints/existence.hpp"
 #include "gearbox/constraints/shifted_gears.hpp"
 #include "gearbox/topologies/report_parts.hpp"
+#include "gearbox/train/central_gears.hpp"
 #include "gearbox/train/inertia.hpp"
 #include "gearbox/train_parts.hpp"
 #include "gearbox/walls.hpp"
@@ -171,7 +172,7 @@ std::vector<ConstraintReport> shifted_conditions(const Problem& problem, const C
   for (const CutGear& gear : cut.gears) {
     if (!gear.internal) list.push_back(undercut(cut.train.cutters, gear));
   }
-  if (parts.layer_count() > 1 && problem.sun_under_second_layer) {
+  if (may_sun_pass(parts) && problem.sun_under_second_layer) {
     list.push_back(sun_under_layer_2(cut));
   }
   for (const CutGear& gear : cut.gears) {

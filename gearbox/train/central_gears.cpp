@@ -94,6 +94,11 @@ std::vector<double> by_mesh(const TrainParts& parts, double sun, double held_rin
   return meshes;
 }
 
+bool may_sun_pass(const TrainParts& parts) {
+  if (parts.layer_count() < 2) return false;
+  return !parts.output_ring || parts.gear_layers[parts.held_ring] == 0;
+}
+
 TrainEfficiency train_efficiency(const TrainParts& parts, std::span<const double> teeth,
                                  std::span<const double> mesh_efficiencies) {
   const auto [first, second] = basic_ratios(parts, teeth);

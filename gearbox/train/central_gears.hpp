@@ -65,6 +65,10 @@ ThreeKMeshEfficiencies<double> by_role(const TrainParts& parts, std::span<const 
 std::vector<double> by_mesh(const TrainParts& parts, double sun, double held_ring,
                             double output_ring);
 
+/// Whether the sun may reach under planet 2. It cannot where the second layer holds its ring beside
+/// an output ring: an output that turns with the sun, I2 < 1, then needs P2 > P1.
+bool may_sun_pass(const TrainParts& parts);
+
 TrainEfficiency train_efficiency(const TrainParts& parts, std::span<const double> teeth,
                                  std::span<const double> mesh_efficiencies);
 

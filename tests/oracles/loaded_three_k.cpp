@@ -451,7 +451,8 @@ class Train {
   /// How far both together miss what binds them.
   double missed_by(const Layer& first, const Layer& second, double x1, double x2) const {
     Missed missed;
-    if (z_.planet_2 > 0 && given_.problem.value("sun_under_second_layer", true)) {
+    if (z_.planet_2 > 0 && given_.problem["topology"] != "3k_b" &&
+        given_.problem.value("sun_under_second_layer", true)) {
       missed.ask(z_.module_1_mm * (0.5 * whole(z_.planet_1) - 1.0 + x1) -
                  z_.module_2_mm * (0.5 * whole(z_.planet_2) + 1.0 + x2));
     }

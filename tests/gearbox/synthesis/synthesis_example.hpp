@@ -37,11 +37,11 @@ inline nlohmann::json small_stage() {
   return problem;
 }
 
-/// 9:1 for 40 Nm that leaves the topology open, of few choices of each.
+/// 14:1 for 40 Nm that leaves the topology open, of few choices of each.
 inline nlohmann::json small_open_problem() {
   nlohmann::json problem = small_synthesis();
   problem["topology"] = "any";
-  problem["target_ratio"] = 9;
+  problem["target_ratio"] = 14;
   problem["rotor_inner_diameter_mm"] = 60;
   problem["module_mm"] = 0.5;
   problem["planet_count"] = 3;

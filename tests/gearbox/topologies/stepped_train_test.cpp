@@ -12,6 +12,7 @@
 #include "gearbox/strength/loaded_mesh.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "gearbox/train/assembly.hpp"
+#include "gearbox/train/central_gears.hpp"
 #include "tests/gearbox/example_problem.hpp"
 
 namespace torquewright::gearbox {
@@ -90,6 +91,25 @@ TEST(ThreeKB, HasTheGearsOfA3kTrainWithItsRingsExchanged) {
   EXPECT_EQ(own.gears[3].name, "output_ring");
   EXPECT_NEAR(own.gears[3].speed_per_input, 1.0 / 33.0, 1e-15);
   EXPECT_EQ(own.gears[4].speed_per_input, 0.0);
+}
+
+// Why no sun of such a train reaches under planet 2. Oracle: all small coaxial teeth.
+TEST(ThreeKB, TurnsWithTheSunOnlyWithALargerPlanet2) {
+  const Topology& topology = *find_topology("3k_b");
+  EXPECT_FALSE(may_sun_pass(topology));
+  EXPECT_TRUE(may_sun_pass(*find_topology("3k")));
+  EXPECT_TRUE(may_sun_pass(*find_topology("compound")));
+  EXPECT_FALSE(may_sun_pass(*find_topology("planetary")));
+  for (std::int64_t s = 12; s <= 30; ++s) {
+    for (std::int64_t p1 = 12; p1 <= 30; ++p1) {
+      for (std::int64_t p2 = 12; p2 <= 30; ++p2) {
+        if (p1 == p2) continue;
+        const auto teeth = topology.complete(std::vector<std::int64_t>{s, p1, p2});
+        const std::vector<double> real(teeth.begin(), teeth.end());
+        EXPECT_EQ(topology.reduction(real) > 0.0, p2 > p1) << s << " " << p1 << " " << p2;
+      }
+    }
+  }
 }
 
 TEST(ThreeKB, SaysWhereItsOutputStandsStill) {
