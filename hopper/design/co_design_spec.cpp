@@ -29,6 +29,7 @@ ordered_json choice_json(const GearChoice& choice) {
   const gearbox::DesignReport& report = choice.report;
   ordered_json json;
   for (const gearbox::GearReport& gear : report.gears) json["teeth"][gear.name] = gear.teeth;
+  json["topology"] = choice.problem.topology;
   json["planet_count"] = report.design.planet_count;
   json["module_mm"] = io::nearest(report.design.module_mm);
   if (report.design.layer_2_module_mm) {

@@ -104,5 +104,32 @@ TEST(Pareto, RefusesWhatItCannotTrade) {
       1);
 }
 
+// Oracle: `gearbox optimize` of the same problem, topology by topology.
+TEST(Pareto, OfAnOpenTopologyNamesThatOfEachPoint) {
+  const Workplace place;
+  json problem{{"kind", "gearbox_problem"}, {"version", 1}, {"topology", "any"}};
+  problem["target_ratio"] = 14;
+  problem["ratio_tolerance"] = 0;
+  problem["rotor_inner_diameter_mm"] = 60;
+  problem["module_mm"] = 0.5;
+  problem["planet_count"] = 3;
+  problem["min_teeth"] = {{"sun", 16}, {"planet_1", 24}, {"planet_2", 15}, {"planet", 16}};
+  problem["load"] = {{"output_torque_Nm", 40}};
+  problem["synthesis"] = {{"gap", 0.01}};
+  place.write("open.json", problem.dump());
+  const Outcome front =
+      place.run({"gearbox", "pareto", "open.json", "--points", "1", "-o", "front.json"});
+  ASSERT_EQ(front.exit_code, 0) << front.out << front.err;
+  const json found = json::parse(place.text("front.json"));
+  EXPECT_TRUE(io::conforms(found, "gearbox_front"));
+  place.run({"gearbox", "optimize", "open.json", "-o", "best.json"});
+  const json best = json::parse(place.text("best.json"));
+  const json& point = found["points"].front();
+  EXPECT_EQ(point["topology"], best["problem"]["topology"]);
+  EXPECT_EQ(point["first"], best["objective"]);
+  EXPECT_NE(front.out.find("  " + point["topology"].get<std::string>() + " "), std::string::npos)
+      << front.out;
+}
+
 }  // namespace
 }  // namespace torquewright::cli_test

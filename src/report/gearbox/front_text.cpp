@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "gearbox/any_topology.hpp"
 #include "gearbox/front/front_spec.hpp"
 #include "src/report/parts/svg.hpp"
 
@@ -14,10 +15,12 @@ namespace {
 
 using namespace gearbox;
 
-std::string teeth_of(const FrontPoint& point) {
+/// With the topology where the problem leaves it open.
+std::string teeth_of(const Problem& problem, const FrontPoint& point) {
   const Design& design = point.report.design;
-  std::string text = fmt::format("{} n {} m {:g}", fmt::join(design.teeth, "/"),
-                                 design.planet_count, io::nearest(design.module_mm));
+  std::string text =
+      fmt::format("{}{} n {} m {:g}", is_topology_open(problem) ? point.problem.topology + " " : "",
+                  fmt::join(design.teeth, "/"), design.planet_count, io::nearest(design.module_mm));
   if (design.layer_2_module_mm) {
     text += fmt::format(" and {:g}", io::nearest(*design.layer_2_module_mm));
   }
@@ -99,7 +102,7 @@ std::string front_text(const Problem& problem, const gearbox::ShownFront& shown)
   for (const FrontPoint& point : front.points) {
     text += fmt::format("{:>20.6g} {:>20} {:>20.6g} {:>20.6g}  {}\n", point.second,
                         point.from ? fmt::format("{:.6g}", *point.from) : "any", point.first,
-                        point.first_bound, teeth_of(point));
+                        point.first_bound, teeth_of(problem, point));
   }
   if (front.none_from) {
     text +=

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearbox/train_parts.hpp"
+
 namespace torquewright::report {
 namespace {
 
@@ -20,10 +22,13 @@ std::string or_dash(const std::optional<double>& value, const char* form) {
   return value && std::isfinite(*value) ? fmt::format(fmt::runtime(form), *value) : "-";
 }
 
+/// With its topology where the numbers of teeth do not tell it.
 std::string gear_name(const GearChoice& choice) {
   const gearbox::Design& design = choice.report.design;
-  std::string name = fmt::format("{} n {} m {:g}", fmt::join(design.teeth, "/"),
-                                 design.planet_count, io::nearest(design.module_mm));
+  const std::string& topology = choice.problem.topology;
+  std::string name = fmt::format(
+      "{}{} n {} m {:g}", gearbox::train_parts(topology).needs_synthesis ? topology + " " : "",
+      fmt::join(design.teeth, "/"), design.planet_count, io::nearest(design.module_mm));
   if (design.layer_2_module_mm) {
     name += fmt::format(" and {:g}", io::nearest(*design.layer_2_module_mm));
   }
