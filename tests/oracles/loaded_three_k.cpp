@@ -867,8 +867,10 @@ void each_second_layer(const json& p, double between, std::int64_t m2_most,
                        const std::function<void(std::int64_t, std::int64_t)>& visit) {
   const auto off = p["synthesis"]["ring_teeth_off"].get<double>();
   for (std::int64_t p2 = p["min_teeth"]["planet_2"]; p2 <= m2_most; ++p2) {
-    for (std::int64_t ring = p2 + 1; ring <= m2_most; ++ring) {
-      if (std::abs(static_cast<double>(ring - p2) - between) <= off + 1e-9) visit(p2, ring);
+    const auto from = static_cast<std::int64_t>(std::ceil(between - off - 1e-9));
+    const auto to = static_cast<std::int64_t>(std::floor(between + off + 1e-9));
+    for (std::int64_t ring = p2 + from; ring <= std::min(m2_most, p2 + to); ++ring) {
+      visit(p2, ring);
     }
   }
 }
@@ -903,18 +905,30 @@ void each_three_k_b(const json& p, const std::function<void(const LoadedTeeth&)>
   });
 }
 
-}  // namespace
-
-LoadedTrains enumerate_loaded_trains(const json& problem, int steps) {
+void each_train(const json& problem, const std::function<void(const LoadedTeeth&)>& visit) {
   const Given given(problem);
-  LoadedTrains found;
   const std::string topology = problem["topology"];
   const auto each = topology == "planetary"  ? each_single_stage
                     : topology == "compound" ? each_compound
                     : topology == "3k_b"     ? each_three_k_b
                                              : each_choice;
   each(problem, [&](const LoadedTeeth& teeth) {
-    if (backlash(teeth, topology) > given.number("max_backlash_rad_per_mm", kNone)) return;
+    if (backlash(teeth, topology) <= given.number("max_backlash_rad_per_mm", kNone)) visit(teeth);
+  });
+}
+
+}  // namespace
+
+std::int64_t count_loaded_choices(const json& problem) {
+  std::int64_t count = 0;
+  each_train(problem, [&](const LoadedTeeth&) { ++count; });
+  return count;
+}
+
+LoadedTrains enumerate_loaded_trains(const json& problem, int steps) {
+  const Given given(problem);
+  LoadedTrains found;
+  each_train(problem, [&](const LoadedTeeth& teeth) {
     ++found.choices;
     const double best = found.lightest ? found.lightest->mass_kg : kNone;
     const auto train = Descent(given, teeth, steps).run(best);

@@ -32,6 +32,9 @@ struct LoadedTrains {
   std::optional<LoadedTrain> lightest;
 };
 
+/// How many choices of whole numbers meet ratio and assembly, by their definitions alone.
+std::int64_t count_loaded_choices(const nlohmann::json& problem);
+
 /// Every choice of whole numbers, each with a grid of centre distances and shifts that is walked
 /// down from its best places, and from those that miss a condition least. Formulas are those of
 /// docs/gearbox_constraints.md and docs/derivations, written again from there; places of a ring's

@@ -93,6 +93,23 @@ void expect_as_light_as_enumerated(const std::string& topology, bool has_ceiling
   }
 }
 
+TEST(Synthesis, ChoosesAmongAllTeethOfEveryTopology) {
+  std::mt19937 generator(5);
+  for (const TrainParts& parts : all_train_parts()) {
+    std::size_t most = 0;
+    for (int trial = 0; trial < 12; ++trial) {
+      json root = random_synthesis(generator, std::string(parts.name));
+      root["ratio_tolerance"] = 0.02;
+      if (trial % 3 == 0) root["max_backlash_rad_per_mm"] = 0.3;
+      const Problem problem = test::problem_from(root);
+      const auto choices = train_choices(problem, layer_modules(problem), 1000000).size();
+      EXPECT_EQ(choices, oracles::count_loaded_choices(root)) << root;
+      most = std::max(most, choices);
+    }
+    EXPECT_GT(most, 5U) << parts.name;
+  }
+}
+
 TEST(Synthesis, IsAsLightAsAFineEnumeration) { expect_as_light_as_enumerated("3k", false); }
 TEST(Synthesis, IsAsLightWithCeilings) {
   if (!torquewright::test::is_long_run()) GTEST_SKIP() << torquewright::test::kLeftOut;
