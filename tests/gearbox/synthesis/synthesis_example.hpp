@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "gearbox/problem_spec.hpp"
 #include "gearbox/synthesis_defaults_spec.hpp"
@@ -34,6 +35,21 @@ inline nlohmann::json small_stage() {
   problem["ratio_tolerance"] = 0.01;
   problem["min_teeth"] = {{"sun", 20}, {"planet", 16}};
   problem["load"]["output_torque_Nm"] = 60;
+  return problem;
+}
+
+/// 12:1 of stepped planets for 60 Nm, inertia asked for.
+inline nlohmann::json small_stepped(std::string_view topology) {
+  nlohmann::json problem = small_synthesis();
+  problem["topology"] = topology;
+  problem["target_ratio"] = 12;
+  problem["ratio_tolerance"] = topology == "compound" ? 0.002 : 0.0;
+  problem["module_mm"] = 0.6;
+  problem["planet_count"] = 3;
+  problem["min_teeth"] = {{"sun", 18}, {"planet_1", 18}, {"planet_2", 14}};
+  problem["load"]["output_torque_Nm"] = 60;
+  problem["rotor_inertia_kg_m2"] = 0.00001;
+  problem["max_reflected_inertia_kg_m2"] = 0.01;
   return problem;
 }
 
