@@ -127,7 +127,8 @@ TEST(Synthesis, ChoosesTheTopologyAndSaysWhatTheOthersHave) {
   EXPECT_EQ(found.exit_code, 0) << found.out << found.err;
   EXPECT_NE(found.out.find(", nothing of 4 topologies is lighter than "), std::string::npos);
   EXPECT_NE(found.out.find("\nTopologies:\n  3k                "), std::string::npos) << found.out;
-  EXPECT_NE(found.out.find("\n  planetary         none, proved: no teeth meet "), std::string::npos) << found.out;
+  EXPECT_NE(found.out.find("\n  planetary         none, proved: no teeth meet "), std::string::npos)
+      << found.out;
   const json result = json::parse(place.text("result.json"));
   EXPECT_TRUE(io::conforms(result, "gearbox_result"));
   ASSERT_EQ(result["topologies"].size(), 4U);
