@@ -64,15 +64,16 @@ void require_alike(const Robot& robot, const Motion& motion, const Cycle& cycle)
   const double place = off.cwiseAbs().maxCoeff(&row), faster = rates.cwiseAbs().maxCoeff(&rate);
   const bool is_place = place / kAlike > faster / kAlikeRate;
   if (is_place ? place <= kAlike : faster <= kAlikeRate) return;
-  io::refuse(motion.file,
-             fmt::format("{}: the take-offs at t = {} and {} s are not alike: {}'s {} differs by "
-                         "{:.3g} {}, where {:g} may be left; `hopper flip --alike` plans such hops",
-                         kOption, io::time_text(motion.time_s(cycle.from)),
-                         io::time_text(motion.time_s(cycle.until)),
-                         // Velocities have a row each, positions of a turned base do not.
-                         name_of(robot, ChannelKind::kVelocity, is_place ? row : rate),
-                         is_place ? "position" : "velocity", is_place ? place : faster,
-                         is_place ? "m or rad" : "m/s or rad/s", is_place ? kAlike : kAlikeRate));
+  io::refuse(
+      motion.file,
+      fmt::format("{}: the take-offs at t = {} and {} s are not alike: {}'s {} differs by "
+                  "{:.3g} {}, where {:g} may be left; `hopper flip --repeat 2 --alike` plans such",
+                  kOption, io::time_text(motion.time_s(cycle.from)),
+                  io::time_text(motion.time_s(cycle.until)),
+                  // Velocities have a row each, positions of a turned base do not.
+                  name_of(robot, ChannelKind::kVelocity, is_place ? row : rate),
+                  is_place ? "position" : "velocity", is_place ? place : faster,
+                  is_place ? "m or rad" : "m/s or rad/s", is_place ? kAlike : kAlikeRate));
 }
 
 void require_repeatable(const Motion& motion, std::size_t flights_there, int flights) {

@@ -144,13 +144,15 @@ std::unique_ptr<const ReadyController> prepare_stepping(const Robot& robot,
   }
   const double planned_m_s = hopping_speed_m_s(robot, reference);
   if (std::abs(*options.forward_m_s - planned_m_s) > kFarthestSpeed_m_s) {
-    io::refuse("--forward",
-               fmt::format("{:g} m/s is {:.3g} m/s from the {:.3g} m/s at which the motion hops, "
-                           "and its steps follow up to {:g} m/s from it: `hopper flip --task hop "
-                           "--speed {:g} --alike` plans a nearer one, or says what keeps the robot "
-                           "from it",
-                           *options.forward_m_s, std::abs(*options.forward_m_s - planned_m_s),
-                           planned_m_s, kFarthestSpeed_m_s, *options.forward_m_s));
+    io::refuse(
+        "--forward",
+        fmt::format(
+            "{:g} m/s is {:.3g} m/s from the {:.3g} m/s at which the motion hops, "
+            "and its steps follow up to {:g} m/s from it: `hopper flip --task hop "
+            "--speed {:g} --repeat 2 --alike` plans a nearer one, or says what keeps the robot "
+            "from it",
+            *options.forward_m_s, std::abs(*options.forward_m_s - planned_m_s), planned_m_s,
+            kFarthestSpeed_m_s, *options.forward_m_s));
   }
   return std::make_unique<const ReadyStepping>(robot, reference, options);
 }
