@@ -2,6 +2,9 @@
 #include "identification/answer/identify.hpp"
 
 #include <algorithm>
+#include <functional>
+#include <mutex>
+#include <numeric>
 #include <set>
 
 #include "identification/answer/alike_split.hpp"
@@ -14,6 +17,7 @@
 #include "identification/reading/against_actuator.hpp"
 #include "identification/reading/read_log.hpp"
 #include "identification/reading/robot_commands.hpp"
+#include "identification/rollout/side_by_side.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -63,6 +67,26 @@ void add_findings(Identification& found) {
   }
 }
 
+/// The share of all joints' work that is done, told by whoever works on one of them.
+class JointsProgress {
+ public:
+  using Show = std::function<void(const std::string& what, double share)>;
+  JointsProgress(std::size_t joints, const Show& show) : shares_(joints, 0.0), show_(show) {}
+
+  void show(std::size_t joint, const std::string& what, double share) {
+    if (!show_) return;
+    const std::lock_guard lock(telling_);
+    shares_[joint] = share;
+    const double sum = std::accumulate(shares_.begin(), shares_.end(), 0.0);
+    show_(what, sum / static_cast<double>(shares_.size()));
+  }
+
+ private:
+  std::mutex telling_;
+  std::vector<double> shares_;
+  const Show& show_;
+};
+
 std::vector<std::string> effects_not_asked(const AnalysisOptions& options) {
   std::vector<std::string> names = nameable_effects();
   std::erase_if(names, [&](const std::string& name) { return options.asks(name); });
@@ -92,17 +116,19 @@ Identification identify(const std::vector<std::filesystem::path>& logs, const Ri
   found.holdout_runs = log.holdout_runs;
   found.files = log.files;
   const std::vector<bool> moves = moving_joints(rig, log);
-  for (std::size_t joint = 0; joint < rig.joints.size(); ++joint) {
-    AnalysisOptions analysis = options.analysis;
-    // No names from such data.
-    analysis.select = options.select && !has_error(log.findings) && moves[joint];
-    if (options.progress) {
-      analysis.progress = [&, joint](const std::string& what, double share) {
-        const auto joints = static_cast<double>(rig.joints.size());
-        options.progress(what, (static_cast<double>(joint) + share) / joints);
-      };
-    }
-    for (EquationResult& each : analyse(rig, log, joint, nominal, analysis)) {
+  JointsProgress progress(rig.joints.size(), options.progress);
+  auto by_joint =
+      side_by_side<std::vector<EquationResult>>(log, rig.joints.size(), [&](std::size_t joint) {
+        AnalysisOptions analysis = options.analysis;
+        // No names from such data.
+        analysis.select = options.select && !has_error(log.findings) && moves[joint];
+        analysis.progress = [&](const std::string& what, double share) {
+          progress.show(joint, what, share);
+        };
+        return analyse(rig, log, joint, nominal, analysis);
+      });
+  for (std::size_t joint = 0; joint < by_joint.size(); ++joint) {
+    for (EquationResult& each : by_joint[joint]) {
       if (has_error(log.findings) || !moves[joint]) each.verdict = Verdict::kCannotTell;
       found.equations.push_back(std::move(each));
     }
