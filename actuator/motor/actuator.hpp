@@ -58,7 +58,7 @@ struct Battery {
   std::vector<ChargePoint> cell_open_circuit;  ///< Ascending in charge; one: no curve was stated.
   double cell_resistance_ohm = 0.0;
   std::optional<double> cell_capacity_Ah;  ///< Of one full cell.
-  double wiring_resistance_ohm = 0.0;  ///< Between pack and drive.
+  double wiring_resistance_ohm = 0.0;      ///< Between pack and drive.
   double discharge_limit_A = kUnlimited;
   double charge_limit_A = kUnlimited;
   double maximum_voltage_V = kUnlimited;  ///< Of the pack while it is charged.

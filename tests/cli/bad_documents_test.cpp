@@ -67,7 +67,9 @@ const std::vector<BadPlace> kBadPlaces = {
      "\"planet_count\": 4 4",
      {": line 10, column 21: not JSON: unexpected number literal; expected '}'"}},
     {"]\n}", "]\n", {": line 18, column 1: not JSON: unexpected end of input; expected '}'"}},
-    {"\"3k\"", "\"4K\"", {"#/topology: \"4K\" is not one of \"3k\", \"planetary\""}},
+    {"\"3k\"",
+     "\"4K\"",
+     {"#/topology: \"4K\" is not one of \"3k\", \"planetary\", \"3k_b\", \"compound\", \"any\""}},
     // Several at once.
     {"\"target_ratio\": 20,\n  \"ratio_tolerance\": 0",
      "\"target_ratio\": 0,\n  \"ratio_tolerence\": 0",

@@ -83,7 +83,9 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{"20,", "10000, \"loud\": 1,", "#/loud: unknown key; did you mean \"load\"?"},
         Slip{"20,", "1, \"loud\": 1,", "#/loud: unknown key; did you mean \"load\"?"},
         Slip{"40", "0", "#/min_teeth/sun: 0 is outside [1, 100000] teeth"},
-        Slip{"\"3k\"", "\"4k\"", "#/topology: \"4k\" is not one of \"3k\", \"planetary\""},
+        Slip{"\"3k\"", "\"4k\"",
+             "#/topology: \"4k\" is not one of \"3k\", \"planetary\", \"3k_b\", \"compound\", "
+             "\"any\""},
         Slip{"\"3k\"", "3", "#/topology: is a number, must be a string"},
         Slip{"\"target_ratio\": 20,", "", "#/target_ratio: missing"},
         Slip{"20,", "\"20\",", "#/target_ratio: is a string, must be a number"},
@@ -140,18 +142,19 @@ TEST(WholeText, HasToBeThere) {
 }
 
 TEST(WholeText, NamesAllFaultsAtOnce) {
-  EXPECT_EQ(faults_of(R"({"kind": "gearbox_problem", "version": 1, "topology": "4k", "topologi": 1,
+  EXPECT_EQ(
+      faults_of(R"({"kind": "gearbox_problem", "version": 1, "topology": "4k", "topologi": 1,
       "target_ratio": "x", "rotor_inner_diameter_mm": 1, "module_mm": [], "planet_count": 4,
       "min_teeth": {"sun": 40}, "constraints": "paper", "constraints": "paper"})"),
-            "#/constraints: stands twice in its object; keep one\n"
-            "#/module_mm: [] is empty, must hold at least 1 value\n"
-            "#/rotor_inner_diameter_mm: 1 is outside [2, 10000] mm\n"
-            "#/target_ratio: is a string, must be a number\n"
-            "#/topologi: unknown key; did you mean \"topology\"?\n"
-            "#/topology: \"4k\" is not one of \"3k\", \"planetary\"\n"
-            "#/min_carrier_clearance_rad: missing\n"
-            "#/objective: missing, must be \"paper_cost\", \"mass\", \"hollow_shaft\", "
-            "\"forward_efficiency\", \"backward_efficiency\" or \"reflected_inertia\"");
+      "#/constraints: stands twice in its object; keep one\n"
+      "#/module_mm: [] is empty, must hold at least 1 value\n"
+      "#/rotor_inner_diameter_mm: 1 is outside [2, 10000] mm\n"
+      "#/target_ratio: is a string, must be a number\n"
+      "#/topologi: unknown key; did you mean \"topology\"?\n"
+      "#/topology: \"4k\" is not one of \"3k\", \"planetary\", \"3k_b\", \"compound\", \"any\"\n"
+      "#/min_carrier_clearance_rad: missing\n"
+      "#/objective: missing, must be \"paper_cost\", \"mass\", \"hollow_shaft\", "
+      "\"forward_efficiency\", \"backward_efficiency\" or \"reflected_inertia\"");
 }
 
 // Just inside and just outside the limit, and far beyond what a recursive reader survives.

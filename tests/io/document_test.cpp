@@ -83,7 +83,8 @@ TEST(CheckDocument, SaysWhereItStands) {
     FAIL();
   } catch (const SpecError& error) {
     EXPECT_STREQ(error.what(),
-                 "result.json#/problem/topology: \"4k\" is not one of \"3k\", \"planetary\"\n"
+                 "result.json#/problem/topology: \"4k\" is not one of \"3k\", \"planetary\", "
+                 "\"3k_b\", \"compound\", \"any\"\n"
                  "result.json#/problem/assumed/0: \"/none\" points at nothing; must be the JSON "
                  "pointer of a value of this document");
   }

@@ -71,8 +71,9 @@ TEST(ReadStrength, TakesTheFirstDesignOfAResult) {
 
 TEST(ReadStrength, RefusesWhatDoesNotFit) {
   EXPECT_EQ(refusal(json::object()), "");
-  EXPECT_EQ(refusal({{"face_width_mm", {{"layer_2", 5}}}}),
-            "#/face_width_mm/layer_2: is for 3k, 3k_b, compound trains; a planetary stage has one layer");
+  EXPECT_EQ(
+      refusal({{"face_width_mm", {{"layer_2", 5}}}}),
+      "#/face_width_mm/layer_2: is for 3k, 3k_b, compound trains; a planetary stage has one layer");
   EXPECT_EQ(
       refusal({{"material", {{"treatment", "through_hardened"}}}}),
       "#/material/yield_MPa: missing; the static strength of through-hardened teeth depends on "
@@ -83,8 +84,9 @@ TEST(ReadStrength, RefusesWhatDoesNotFit) {
   EXPECT_EQ(refusal({{"rim_mm", {{"ring", 1.75 * .6}}}}).substr(0, 22), "#/rim_mm/ring: too thi");
   EXPECT_EQ(refusal({{"rim_mm", {{"planet_2", 2}}}}),
             "#/rim_mm/planet_2: the topology \"planetary\" has no such gear");
-  EXPECT_EQ(refusal({{"gearbox", {{"layer_2_module_mm", .7}}}}),
-            "#/gearbox/layer_2_module_mm: is for 3k, 3k_b, compound trains; \"planetary\" has one layer");
+  EXPECT_EQ(
+      refusal({{"gearbox", {{"layer_2_module_mm", .7}}}}),
+      "#/gearbox/layer_2_module_mm: is for 3k, 3k_b, compound trains; \"planetary\" has one layer");
   EXPECT_EQ(refusal({{"gearbox", {{"teeth", {{"ring", nullptr}}}}}}),
             "#/gearbox/teeth/ring: missing; the topology \"planetary\" has it");
   EXPECT_EQ(refusal({{"gearbox", {{"topology", "3k"}}}, {"face_width_mm", {{"layer_2", 5}}}}),
