@@ -74,15 +74,18 @@ TEST(Constraints, StandInTheOrderOfTheirSites) {
 
 // Over heel, toe and a point, every constraint that adds rows adds some, and no other row is there.
 TEST(Constraints, NameTheRowsOfEveryProgram) {
-  PlanOptions with_reserve, at_speed;
+  PlanOptions with_reserve, at_speed, alike;
   with_reserve.margins.capture_point = 0.2;
   at_speed.task = &tasks::hop;
   at_speed.speed_m_s = 0.3;
+  alike.task = &tasks::hop;
+  alike.has_alike_hops = true;
   std::set<std::string> found;
   for (const FlipProgram& program :
        {program_of("hopper", {"flat", "heel", "flight", "heel", "flat"}),
         program_of("hopper", {"flat", "heel", "flight", "heel", "flat"}, with_reserve),
         program_of("hopper", {"flat", "flight", "flat"}, at_speed),
+        program_of("hopper", {"flat", "flight", "flat", "flight", "flat"}, alike),
         program_of("hopper", {"flat", "toe", "flight", "toe", "flat"}),
         program_of("planar_leg", {"flat", "flight", "flat"})}) {
     for (const std::string& name : row_names(program)) {
