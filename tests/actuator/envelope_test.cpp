@@ -193,7 +193,7 @@ TEST(Envelope, OfAFileTakesItsUnits) {
   EXPECT_EQ(refused("rate_rad_s,torque_Nm\n0,1\n1,0\n"),
             "curve.csv: has no column speed; \"speed [rad/s]\" would be one");
   EXPECT_EQ(refused("speed_rad_s,speed_rpm,torque_Nm\n0,0,1\n1,9,0\n"),
-            "curve.csv: speed_rad_s and speed_rpm are all called speed; one column must be");
+            "curve.csv: speed_rad_s, speed_rpm are all called speed; one column must be");
 }
 
 TEST(Envelope, RefusesWhatIsNoCurve) {
