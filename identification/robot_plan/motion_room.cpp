@@ -18,7 +18,7 @@ namespace torquewright::identification {
 namespace {
 
 constexpr double kStep_s = 1e-3;           ///< Of integration.
-constexpr std::size_t kLookedAt = 4;       ///< Samples from one that is looked at to the next.
+constexpr std::size_t kLookedAt = 2;       ///< Samples from one that is looked at to the next.
 constexpr double kLeastRange_rad = 0.02;   ///< To a joint's limit.
 constexpr double kLeastTorqueShare = 0.1;  ///< Of a drive's region.
 constexpr double kLeastSpeedShare = 0.05;

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <cctype>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,12 +16,17 @@
 namespace torquewright::io {
 namespace {
 
-/// Whether a header is that name, alone or before its unit.
+/// Whether a header is that name, alone or before a unit: torque_limit_Nm is no torque.
 bool is_named(const std::string& header, std::string_view name) {
-  const std::string small = in_small_letters(header);
-  if (!small.starts_with(name)) return false;
-  return small.size() == name.size() ||
-         std::isalnum(static_cast<unsigned char>(small[name.size()])) == 0;
+  if (!in_small_letters(header).starts_with(name)) return false;
+  constexpr std::string_view kBetween = "_ [](){}";
+  std::string_view rest = std::string_view(header).substr(name.size());
+  if (rest.empty()) return true;
+  if (kBetween.find(rest.front()) == kBetween.npos) return false;
+  const std::size_t begin = rest.find_first_not_of(kBetween);
+  if (begin == rest.npos) return false;
+  rest = rest.substr(begin, rest.find_last_not_of(kBetween) + 1 - begin);
+  return find_unit(rest).has_value();
 }
 
 }  // namespace

@@ -94,10 +94,11 @@ bool is_comment(const std::string& line) {
          line.find_first_not_of(" \t") == line.npos;
 }
 
-/// Whether a line cannot be one of the table that begins behind it.
+/// Whether a line is neither one of the table that begins behind it nor, for want of numbers, one
+/// of another table.
 bool is_no_row(const std::string& line, std::size_t names, char separator) {
   const std::vector<std::string> cells = cells_of(line, separator);
-  return cells.size() != names && !(cells.size() > 1 && are_numbers(cells));
+  return cells.size() != names && std::count_if(cells.begin(), cells.end(), is_number) < 2;
 }
 
 /// Behind LabVIEW's last mark; 0 where none stands.

@@ -18,7 +18,8 @@ struct TableBegin {
 std::optional<TableBegin> find_table_begin(const std::string& file);
 
 /// How many lines a recorder wrote before the line of names: lines of other lengths than that one,
-/// none of them numbers alone. 0: the first line has the names, or where it stands is not sure.
+/// none of which holds two numbers. 0: the first line has the names, or where it stands is not
+/// sure.
 std::size_t lines_before_table(const std::string& file);
 
 }  // namespace torquewright::io

@@ -181,6 +181,8 @@ TEST(Envelope, OfAFileTakesItsUnits) {
         "Curve of motor 3\n\nspeed;torque\n(rpm);(Nm)\n"}) {
     EXPECT_NEAR(at_one_turn_a_second(read(header + rows)), 8.0, kRoundOff_Nm) << header;
   }
+  EXPECT_NEAR(at_one_turn_a_second(read("speed_rad_s,torque_Nm,torque_limit_Nm\n0,9,1\n20,9,1\n")),
+              9.0, kRoundOff_Nm);
   EXPECT_NEAR(at_one_turn_a_second(read("speed_rad_s,torque_mNm\n0,9000\n20,9000\n")), 9.0,
               kRoundOff_Nm);
   const auto refused = [&](const std::string& table) {

@@ -297,6 +297,7 @@ TEST(IdentifyPlan, RefusesWhatARobotsPlanDoesNotTake) {
       {{"--separate", "coulomb_friction"}, "--separate: a robot's plan is for all of its values"},
       {{"--actuator", "ankle=x.json"}, "the rig has no joint \"ankle\""},
       {{"--base-height", "0.1"}, "--posture: the robot cannot stand where its motion is to begin"},
+      {{"--noise", "output_position_rad=0"}, "must be above 0 rad"},
       {{actuator()}, "the rig moves a robot, whose drives are its document's"}};
   for (const auto& [more, said] : cases) expect_refused(place, leg_words(more), said);
   expect_refused(place,

@@ -126,6 +126,11 @@ RobotPlanOptions options_of(const PlanRequest& request, const Rig& rig) {
                                         "output_position_rad=SIGMA is their noise",
                                         identification::name_of(quantity)));
     }
+    if (!(sigma > 0.0)) {
+      io::refuse("--noise",
+                 "output_position_rad=0: without noise every value is told; it must be "
+                 "above 0 rad");
+    }
     options.position_noise_rad = sigma;
   }
   options.runs = run_names(rig);
@@ -155,6 +160,11 @@ ExitCode run_robot_plan(const PlanRequest& request) {
   const IdentifyInputs inputs = inputs_of(request);
   const hopper::Robot robot = robot_of(inputs.rig);
   const RobotPlanOptions options = options_of(request, inputs.rig);
+  if (request.base_height_m && robot.contacts.empty() && robot.spheres.empty()) {
+    io::refuse("--base-height",
+               "the robot states neither \"contacts\" nor \"collision_spheres\": nothing of it is "
+               "known that could touch the ground");
+  }
   check_files(request, inputs);
   report::ProgressLine progress;
   const RobotPlan plan = identification::plan_robot(

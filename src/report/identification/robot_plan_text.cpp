@@ -47,6 +47,17 @@ std::string room_text(const RobotPlan& plan) {
   return text + "\n";
 }
 
+/// What limits nothing because nobody stated it is said; so is what the plan is not for.
+std::string left_out_text(const RobotPlan& plan) {
+  std::string text =
+      "left out       values that all joints share (the base's attitude, the "
+      "command's delay)";
+  if (!std::isfinite(plan.room.bodies_m.left))
+    text += "; whether bodies meet (no two of the robot's collision_spheres could)";
+  if (!std::isfinite(plan.room.ground_m.left)) text += "; the ground (no --base-height)";
+  return text + "\n";
+}
+
 }  // namespace
 
 std::string planned_name(const FreeValue& which, const std::vector<std::string>& joints) {
@@ -66,7 +77,7 @@ std::string robot_plan_text(const RobotPlan& plan, const identification::RobotPl
     text += "not told       by their expected standard errors (docs/logs.md):\n" + untold;
   }
   if (is_long) text += "told\n" + value_lines(plan, joints, true);
-  text += room_text(plan);
+  text += room_text(plan) + left_out_text(plan);
   text += fmt::format(
       "assumed        white noise of {:.3g} rad in each position; {} motions were tried, from seed "
       "{}\n",

@@ -262,6 +262,9 @@ TEST(Csv, SkipsWhatARecorderWroteBeforeTheNames) {
   EXPECT_EQ(of_bench.units(), (std::vector<std::string>{"rad", "Nm"}));
   ASSERT_TRUE(of_bench.next());
   EXPECT_EQ(of_bench.number(1), 2.0);
+  // What has two numbers may be another table's row.
+  const auto two = folder.write("two.csv", "t,q,mode\n0,1,idle\nt,q\n1,2\n3,4\n");
+  EXPECT_EQ(CsvReader(two).skipped_lines(), 0u);
   EXPECT_EQ(CsvReader(folder.write("u.csv", "# x\n\na,b\n1,2\n3,4\n")).skipped_lines(), 0u);
 }
 
