@@ -9,6 +9,7 @@
 
 #include "identification/robot_plan/motion_information.hpp"
 #include "io/faults/refusal.hpp"
+#include "io/text/wording.hpp"
 
 namespace torquewright::identification {
 namespace {
@@ -51,6 +52,20 @@ void keep_least(MotionRoom& room, const MotionRoom& other) {
   keep_least(room.torque_share, other.torque_share);
   keep_least(room.bodies_m, other.bodies_m);
   keep_least(room.ground_m, other.ground_m);
+}
+
+/// What is left of everything that limits a motion.
+std::string words_of(const MotionRoom& room) {
+  std::vector<std::string> words;
+  const auto add = [&](const Room& one, const char* what) {
+    if (std::isfinite(one.left))
+      words.push_back(fmt::format("{:.3g} {} ({})", one.left, what, one.place));
+  };
+  add(room.ground_m, "m are left to the ground");
+  add(room.bodies_m, "m between bodies");
+  add(room.position_rad, "rad to a joint's limit");
+  add(room.torque_share, "of a drive's torque");
+  return io::listed(words);
 }
 
 class Planner {
@@ -113,18 +128,11 @@ class Planner {
     still.duration_s = std::min(2.0, still.duration_s);
     const RoomOfMotion standing = room_of(model_, robot_, options_.limits, still);
     const auto& too_far = standing.goes_too_far;
-    const auto found = std::find(too_far.begin(), too_far.end(), true);
-    if (found == too_far.end()) return;
-    const MotionRoom& room = standing.room;
-    const auto joint = static_cast<std::size_t>(found - too_far.begin());
+    if (std::find(too_far.begin(), too_far.end(), true) == too_far.end()) return;
     io::refuse("--posture",
-               fmt::format("the robot cannot stand where its motion is to begin, by {}: {:.3g} rad "
-                           "are left to a joint's limit ({}), {:.3g} of its drive's torque ({}), "
-                           "{:.3g} m between bodies ({}), {:.3g} m to the ground ({}); name "
-                           "another posture, or a greater --base-height",
-                           joint_name(joint), room.position_rad.left, room.position_rad.place,
-                           room.torque_share.left, room.torque_share.place, room.bodies_m.left,
-                           room.bodies_m.place, room.ground_m.left, room.ground_m.place));
+               fmt::format("the robot cannot stand where its motion is to begin: {}; name another "
+                           "posture, or a greater --base-height",
+                           words_of(standing.room)));
   }
 
   const std::string& joint_name(std::size_t joint) const {
