@@ -38,4 +38,11 @@ const ErrorModel* GainSchedule::model_at(std::size_t mode, double time_s) const 
   return &stretch.models[place_in(stretch, time_s)];
 }
 
+std::optional<WeighedPeriod> GainSchedule::weighed_before(std::size_t mode, double time_s) const {
+  const GainStretch& stretch = by_mode_[std::min(mode, by_mode_.size() - 1)];
+  if (stretch.weighing.empty()) return std::nullopt;
+  const std::size_t place = place_in(stretch, time_s - 0.5 * stretch.step_s);
+  return WeighedPeriod{stretch.models[place], stretch.weighing[place]};
+}
+
 }  // namespace torquewright::hopper

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 namespace torquewright::hopper {
@@ -18,6 +19,9 @@ struct ErrorModel {
 struct Gains {
   Eigen::MatrixXd of_error;    ///< (drives x 2 n), Nm per error
   Eigen::MatrixXd of_unknown;  ///< (drives x p), Nm per unit
+  /// The same for errors that the ground takes out while all points touch that are to, for when one
+  /// of them does not; empty where none is to.
+  Eigen::MatrixXd of_lifted;
 };
 
 /// Gains over a stretch of a motion in which the same points touch, evenly spaced.
@@ -31,6 +35,12 @@ struct GainStretch {
   std::vector<Eigen::MatrixXd> weighing;
 };
 
+/// A period with a look at its end.
+struct WeighedPeriod {
+  const ErrorModel& model;
+  const Eigen::MatrixXd& gain;
+};
+
 /// Gains by mode of the reference and time, and on after its end.
 class GainSchedule {
  public:
@@ -42,6 +52,9 @@ class GainSchedule {
   const Gains& at(std::size_t mode, double time_s) const;
   /// Returns the model there; null where errors are not foretold.
   const ErrorModel* model_at(std::size_t mode, double time_s) const;
+  /// Returns the period of the mode that ends nearest to a time; none where no look is worth
+  /// anything.
+  std::optional<WeighedPeriod> weighed_before(std::size_t mode, double time_s) const;
   /// How many unknowns the gains know.
   Eigen::Index unknowns() const { return after_end_.of_unknown.cols(); }
   const std::vector<GainStretch>& by_mode() const { return by_mode_; }

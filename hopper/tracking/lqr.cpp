@@ -13,6 +13,7 @@
 #include "hopper/tracking/error_space.hpp"
 #include "hopper/tracking/gain_schedule.hpp"
 #include "hopper/tracking/linearisation.hpp"
+#include "hopper/tracking/pd.hpp"
 #include "hopper/tracking/riccati.hpp"
 #include "hopper/tracking/tipping_torque.hpp"
 #include "hopper/tracking/touch_down.hpp"
@@ -29,6 +30,9 @@ using Eigen::VectorXd;
 
 /// Where nothing presses on the ground no torque moves it; a weight is finite all the same.
 constexpr double kLeastTorque = 0.05;  // of what counts as one elsewhere
+
+/// For how long errors count where costs a second are made costs.
+constexpr double kLasts_s = 0.1;
 
 /// Costs of errors a second (2 n x 1), the squares of what counts as one, and the torques that
 /// count as one (drives x 1) while nothing makes them less; eq. (12).
@@ -95,12 +99,12 @@ class Recursion {
   }
 
   LqrResult run() {
-    if (!end()) return std::move(result_);
+    if (!begin() || !end()) return std::move(result_);
     std::vector<GainStretch> by_mode(reference_->modes().size());
     for (std::size_t mode = by_mode.size(); mode-- > 0;) {
       if (!go_back_over(mode, by_mode[mode])) return std::move(result_);
     }
-    weigh_over(by_mode.front());
+    weigh_over(by_mode);
     result_.gains = std::make_shared<const GainSchedule>(
         std::move(by_mode), after_end_, std::move(model_after_), reference_->ends_s());
     return std::move(result_);
@@ -183,16 +187,24 @@ class Recursion {
         usual_Nm.cwiseMin(options_.tipping_share * *tipping_Nm).cwiseMax(kLeastTorque * usual_Nm));
   }
 
+  /// From the begin, where it stands, until the first impact.
   bool is_weighed(std::size_t mode) const {
-    return unknown_ && mode == 0 && reference_->modes().front().touches.any();
+    const auto& modes = reference_->modes();
+    if (!unknown_ || !modes.front().touches.any()) return false;
+    return std::none_of(modes.begin(), modes.begin() + static_cast<std::ptrdiff_t>(mode) + 1,
+                        [](const ContactMode& one) { return one.begins_with_impact; });
   }
 
-  /// What looks tell of the unknowns while it stands on its first points.
-  void weigh_over(GainStretch& first) const {
+  /// What looks tell of the unknowns there.
+  void weigh_over(std::vector<GainStretch>& by_mode) const {
+    const dynamics::Tree& tree = body_.robot().tree;
+    const Index base = tree.base_velocity_size();
     if (!is_weighed(0)) return;
-    const Index base = body_.robot().tree.base_velocity_size();
-    first.weighing = weighing_gains(first.models, first.step_s, unknown_->spread(),
-                                    base == 6 ? 3 : std::min<Index>(base, 2));
+    WeighingGains gains(2 * tree.velocity_size(), unknown_->spread(),
+                        base == 6 ? 3 : std::min<Index>(base, 2));
+    for (std::size_t mode = 0; mode < by_mode.size() && is_weighed(mode); ++mode) {
+      by_mode[mode].weighing = gains.over(by_mode[mode].models, by_mode[mode].step_s);
+    }
   }
 
   /// A step's model in whole errors.
@@ -201,12 +213,33 @@ class Recursion {
     return {to.from_free * step.A * from.to_free, to.from_free * step.B, to.from_free * drift};
   }
 
-  static Gains gains_of(const RiccatiStep& step, const ConstantStep& constant, const Knot& knot) {
-    return {step.gain * knot.space.to_free, constant.gain};
+  Gains gains_of(const RiccatiStep& step, const ConstantStep& constant, const Knot& knot,
+                 const TouchingPoints& touches) {
+    return {step.gain * knot.space.to_free, constant.gain, lifted_gain(knot, touches)};
+  }
+
+  /// The loop of each drive's own about errors that the ground takes out: a foot on its edge lies
+  /// down by it.
+  MatrixXd lifted_gain(const Knot& knot, const TouchingPoints& touches) {
+    if (!touches.any() || !body_.set(knot.instant.position, knot.instant.velocity)) return {};
+    const MatrixXd drives = drive_jacobian(body_);
+    MatrixXd of_error(drives.rows(), 2 * drives.cols());
+    of_error << lifted_.stiffness_Nm_rad.asDiagonal() * drives,
+        lifted_.damping_Nm_s_rad.asDiagonal() * drives;
+    return of_error - of_error * knot.space.from_free * knot.space.to_free;
+  }
+
+  bool begin() {
+    ReferenceInstant first;
+    reference_->at(reference_->begins_s(), first);
+    if (!body_.set(first.position, first.velocity)) {
+      return stop(GainOutcome::kUnreached, reference_->begins_s(), first);
+    }
+    lifted_ = pd_gains(body_.robot(), *reference_, {.full_torque_error_rad = options_.lifted_rad});
+    return true;
   }
 
   bool end() {
-    constexpr double kWeightsLast_s = 0.1;
     const ContactMode& last = reference_->modes().back();
     Knot knot;
     LinearStep step;
@@ -217,11 +250,11 @@ class Recursion {
     next_ = knot.space;
     if (options_.foretells) model_after_ = whole_model(step, drift, knot.space, knot.space);
     if (options_.end == LqrEnd::kWeights) {
-      cost_ = kWeightsLast_s / options_.control_period_s * step.Q;
+      cost_ = kLasts_s / options_.control_period_s * step.Q;
       constant_cost_.setZero(step.A.cols(), drift.cols());
       const RiccatiStep last_step = riccati_step(step, cost_);
-      after_end_ =
-          gains_of(last_step, constant_step(step, drift, last_step, cost_, constant_cost_), knot);
+      after_end_ = gains_of(last_step, constant_step(step, drift, last_step, cost_, constant_cost_),
+                            knot, last.touches);
       return true;
     }
     const auto steady = steady_riccati(step);
@@ -229,28 +262,46 @@ class Recursion {
     const ConstantStep constant = steady_constant(step, drift, *steady);
     cost_ = steady->cost;
     constant_cost_ = constant.cost;
-    after_end_ = gains_of(*steady, constant, knot);
+    after_end_ = gains_of(*steady, constant, knot, last.touches);
     return true;
   }
 
-  /// What errors in front of the end of a mode are behind it, (2 n x 2 n), and what unknowns add to
-  /// them there (2 n x p).
-  bool border(std::size_t mode, const Knot& before, MatrixXd& map, MatrixXd& jump) {
+  /// The end of a mode: what errors are behind it, and what unknowns add to them (2 n x p).
+  struct Border {
+    TouchDown down;
+    MatrixXd jump;
+  };
+
+  std::optional<Border> border(std::size_t mode, const Knot& before) {
     const auto& modes = reference_->modes();
-    const std::size_t next = std::min(mode + 1, modes.size() - 1);
-    auto found =
-        touch_down_map(body_, state_of(before.instant), modes[mode].touches, modes[next].touches);
-    if (!found) return stop(GainOutcome::kUnreached, before.time_s, before.instant);
-    map = std::move(*found);
-    jump.setZero(map.rows(), unknowns());
-    if (!unknown_ || !(modes[next].touches && !modes[mode].touches).any()) return true;
-    const auto after = impact_slopes(body_, state_of(before.instant), modes[next].touches);
-    if (!after) return stop(GainOutcome::kUnreached, before.time_s, before.instant);
+    const TouchingPoints& old = modes[mode].touches;
+    const TouchingPoints& held = modes[std::min(mode + 1, modes.size() - 1)].touches;
+    auto down = touch_down(body_, state_of(before.instant), old, held);
+    if (!down) return std::nullopt;
+    Border border{std::move(*down), MatrixXd::Zero(2 * before.instant.velocity.size(), unknowns())};
+    if (!unknown_ || !(held && !old).any()) return border;
+    const auto after = impact_slopes(body_, state_of(before.instant), held);
+    if (!after) return std::nullopt;
     const auto answers = held_answers(
-        body_, state_of(before.instant), modes[next].touches,
+        body_, state_of(before.instant), held,
         -unknown_->impulses(before.instant.position, after->value - before.instant.velocity));
-    if (!answers) return stop(GainOutcome::kUnreached, before.time_s, before.instant);
-    jump.bottomRows(answers->rows()) = *answers;
+    if (!answers) return std::nullopt;
+    border.jump.bottomRows(answers->rows()) = *answers;
+    return border;
+  }
+
+  /// Carries the costs back over the end of a mode. Points that are to land at once and come down
+  /// one after the other cost, for each blow then turns the foot, which (14) knows nothing of:
+  /// docs/derivations/tracking.md eq. (14b).
+  bool go_back_over_border(std::size_t mode, const Knot& before) {
+    const auto found = border(mode, before);
+    if (!found) return stop(GainOutcome::kUnreached, before.time_s, before.instant);
+    const MatrixXd over = next_.to_free * found->down.after * before.space.from_free;
+    constant_cost_ =
+        (over.transpose() * (cost_ * (next_.to_free * found->jump) + constant_cost_)).eval();
+    const MatrixXd uneven = found->down.unevenness * before.space.from_free;
+    cost_ = (over.transpose() * cost_ * over).eval();
+    cost_ += kLasts_s * weight_of(options_.uneven_m) * (uneven.transpose() * uneven);
     return true;
   }
 
@@ -267,12 +318,8 @@ class Recursion {
     Knot to, from;
     // The later side of a border is the next mode's.
     if (!set(std::nextafter(here.until_s, here.from_s), here.touches, to)) return false;
-    MatrixXd map, jump, drift;
-    if (!border(mode, to, map, jump)) return false;
-    const MatrixXd over_border = next_.to_free * map * to.space.from_free;
-    constant_cost_ =
-        (over_border.transpose() * (cost_ * (next_.to_free * jump) + constant_cost_)).eval();
-    cost_ = (over_border.transpose() * cost_ * over_border).eval();
+    if (!go_back_over_border(mode, to)) return false;
+    MatrixXd drift;
     for (std::size_t i = steps; i-- > 0;) {
       if (!set(here.from_s + static_cast<double>(i) * stretch.step_s, here.touches, from)) {
         return false;
@@ -286,7 +333,7 @@ class Recursion {
       const ConstantStep constant = constant_step(step, drift, back, cost_, constant_cost_);
       cost_ = back.cost;
       constant_cost_ = constant.cost;
-      stretch.gains[i] = gains_of(back, constant, from);
+      stretch.gains[i] = gains_of(back, constant, from, here.touches);
       if (keeps_models) stretch.models[i] = whole_model(step, drift, from.space, to.space);
       std::swap(to, from);
     }
@@ -299,6 +346,7 @@ class Recursion {
   LinearDynamics dynamics_;
   std::optional<UnknownLoads> unknown_;  ///< None where it does not weigh.
   Weights weights_;
+  PdGains lifted_;  ///< For feet that are off the ground and should not be.
   LqrOptions options_;
   MatrixXd cost_;           ///< Of errors that the space behind leaves free,
   MatrixXd constant_cost_;  ///< and what unknowns add to it.

@@ -29,13 +29,19 @@ struct LqrOptions {
   /// Upper bound of that torque, as a share of the torque with which the foot of the last stance
   /// and, where it weighs, what touches then begins to tip (tipping_torque.hpp), where it can.
   double tipping_share = 0.5;
+  /// Height by which points that are to land at once come down one after the other; counts for a
+  /// tenth of a second. Some two millimetres are what a sole gives.
+  double uneven_m = 0.002;
+  /// Error at which a drive gives its peak torque to a foot that is off the ground and should not
+  /// be. Stiffer ones throw a robot that a look at the foot misjudges.
+  double lifted_rad = 1.5;
   /// Torques by drive, at its output, in place of the two shares; empty: the shares hold.
   Eigen::VectorXd torque_Nm;
   LqrEnd end = LqrEnd::kSteadyState;
   /// Whether the model of errors is kept beside the gains, for a controller whose torques act late.
   bool foretells = false;
-  /// Whether it weighs the robot while it stands at the motion's begin, and goes on with what that
-  /// told of its masses.
+  /// Whether it weighs the robot from the motion's begin, where it stands, to the first impact, and
+  /// goes on with what that told of its masses.
   bool weighs = false;
 };
 

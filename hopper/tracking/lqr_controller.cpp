@@ -28,7 +28,7 @@ class LqrController final : public Controller {
   void start() override {
     clock_.start();
     asked_Nm_.clear();
-    looks_ = 0;
+    is_first_look_ = true;
     weighing_.start(2 * body_.robot().tree.velocity_size(), gains_->unknowns());
   }
 
@@ -45,10 +45,13 @@ class LqrController final : public Controller {
     }
     fed_forward_Nm_ = hopper::fed_forward_Nm(*reference_, reading, seen.latency_s, seen.hold_s);
     const std::size_t mode = reference_->mode_at(reading.time_s);
-    weigh(mode, seen, here.error);
+    weigh(mode, reading.time_s, seen, here.error);
     foretell(mode, reading.time_s, seen, here.error);
     const Gains& gains = gains_->at(mode, reading.time_s + seen.latency_s);
     feedback_Nm_ = -gains.of_error * here.error;
+    if (is_lifted(mode, seen.touches) && gains.of_lifted.size() > 0) {
+      feedback_Nm_ -= gains.of_lifted * here.error;
+    }
     if (gains_->unknowns() > 0) feedback_Nm_ -= gains.of_unknown * weighing_.unknown();
     if (seen.latency_s > 0.0) asked_Nm_.push_back(feedback_Nm_);
     torque_Nm = fed_forward_Nm_ + feedback_Nm_;
@@ -57,22 +60,26 @@ class LqrController final : public Controller {
   const Eigen::VectorXd& fed_forward_Nm() const override { return fed_forward_Nm_; }
 
  private:
+  bool is_lifted(std::size_t mode, const TouchingPoints& touches) const {
+    return (reference_->modes()[mode].touches && !touches).any();
+  }
+
   static std::size_t periods_late(const Observation& seen) {
     return static_cast<std::size_t>(std::ceil(seen.latency_s / seen.hold_s - 1e-9));
   }
 
-  /// Takes a look while it stands on its first points, with the feedback that acted since the one
-  /// before.
-  void weigh(std::size_t mode, const Observation& seen, const Eigen::VectorXd& error) {
-    const GainStretch& first = gains_->by_mode().front();
-    const std::size_t look = looks_++;
-    if (mode != 0 || look == 0 || look > first.weighing.size()) return;
+  /// Takes a look where looks tell of the robot, with the feedback that acted since the one before.
+  void weigh(std::size_t mode, double time_s, const Observation& seen,
+             const Eigen::VectorXd& error) {
+    if (std::exchange(is_first_look_, false)) return;
+    const auto period = gains_->weighed_before(mode, time_s);
+    if (!period) return;
     if (seen.latency_s > 0.0 && asked_Nm_.size() > periods_late(seen)) {
       feedback_Nm_ = asked_Nm_.front();
     } else if (seen.latency_s > 0.0) {
       feedback_Nm_.setZero();
     }
-    weighing_.look(first.models[look - 1], first.weighing[look - 1], feedback_Nm_, error);
+    weighing_.look(period->model, period->gain, feedback_Nm_, error);
   }
 
   /// Carries an error on to when the answer will act, under the feedback that was asked for since
@@ -102,7 +109,7 @@ class LqrController final : public Controller {
   ReferenceInstant wanted_;
   Eigen::VectorXd fed_forward_Nm_;
   Weighing weighing_;
-  std::size_t looks_ = 0;                 ///< Since the start.
+  bool is_first_look_ = true;
   Eigen::VectorXd feedback_Nm_;           ///< Last asked for.
   std::deque<Eigen::VectorXd> asked_Nm_;  ///< Feedback that has yet to act, the oldest first.
 };

@@ -14,8 +14,8 @@ struct PdOptions {
   /// Share of critical damping with the least inertia that the drive ever has, moved in the air.
   double damping_ratio = 1.0;
   /// Stiffness by drive, at its output, instead; empty: by the options above.
-  Eigen::VectorXd stiffness_Nm_rad;
-  Eigen::VectorXd damping_Nm_s_rad;  ///< Damping by drive, likewise.
+  Eigen::VectorXd stiffness_Nm_rad = {};
+  Eigen::VectorXd damping_Nm_s_rad = {};  ///< Damping by drive, likewise.
 };
 
 struct PdGains {

@@ -7,12 +7,18 @@
 
 namespace torquewright::hopper {
 
-/// Returns the map (2 n x 2 n) from errors (2 n x 1) just before a touch-down to errors just after
-/// it, where both are taken at the contact itself, early or late (docs/derivations/tracking.md eq.
-/// (14)). `before` is the state in front of it, while `old` touch; `held` do so behind it. The
-/// identity where no point comes down. None where a mechanism does not reach the posture.
-std::optional<Eigen::MatrixXd> touch_down_map(WholeBody& body, const DrivenState& before,
-                                              const TouchingPoints& old,
-                                              const TouchingPoints& held);
+/// What errors (2 n x 1) just before a touch-down are at the contact itself, early or late.
+struct TouchDown {
+  /// The errors just after it; (2 n x 2 n), docs/derivations/tracking.md eq. (14). The identity
+  /// where no point comes down.
+  Eigen::MatrixXd after;
+  /// How much higher each point that comes down is than their mean; (points x 2 n).
+  Eigen::MatrixXd unevenness;
+};
+
+/// `before` is the state in front of it, while `old` touch; `held` do so behind it. None where a
+/// mechanism does not reach the posture.
+std::optional<TouchDown> touch_down(WholeBody& body, const DrivenState& before,
+                                    const TouchingPoints& old, const TouchingPoints& held);
 
 }  // namespace torquewright::hopper

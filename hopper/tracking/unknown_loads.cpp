@@ -16,7 +16,8 @@ namespace {
 
 constexpr double kLeastShare = 0.01;     // of the robot's mass
 constexpr double kUsualMassShare = 0.1;  // a tenth is added or left out
-constexpr double kUsualShift_m = 0.02;   // cables, covers, a drive's own place
+constexpr double kUsualInertiaShare = 0.1;
+constexpr double kUsualShift_m = 0.02;  // cables, covers, a drive's own place
 constexpr double kUsualFriction_Nm = 0.5;
 constexpr double kRest_rad_s = 0.1;  // slower than that friction may act either way
 constexpr double kStep = 0.01;       // of the quotients, which are exact
@@ -29,6 +30,9 @@ UnknownLoads::UnknownLoads(const Robot& robot) : body_(robot) {
   for (const dynamics::Body& body : bodies) mass_kg += body.inertia.mass_kg;
   add_mass(kUsualMassShare, [](dynamics::Tree& changed, double step) {
     for (dynamics::Body& body : changed.bodies) body.inertia.mass_kg *= 1.0 + step;
+  });
+  add_mass(kUsualInertiaShare, [](dynamics::Tree& changed, double step) {
+    for (dynamics::Body& body : changed.bodies) body.inertia.inertia_kg_m2 *= 1.0 + step;
   });
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     if (bodies[i].inertia.mass_kg < kLeastShare * mass_kg) continue;

@@ -9,9 +9,10 @@
 
 namespace torquewright::hopper {
 
-/// What a robot's document may have wrong of what its drives carry: all masses by one factor (a
-/// share), where the centre of mass of each body is, along the body's axes (m; bodies without a
-/// hundredth of the mass are left out), and dry friction at each drive's output (Nm).
+/// What a robot's document may have wrong of what its drives carry: all masses by one factor, and
+/// all inertias about centres of mass by another (shares), where the centre of mass of each body
+/// is, along the body's axes (m; bodies without a hundredth of the mass are left out), and dry
+/// friction at each drive's output (Nm).
 class UnknownLoads {
  public:
   explicit UnknownLoads(const Robot& robot);

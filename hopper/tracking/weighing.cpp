@@ -25,29 +25,30 @@ VectorXd look_variances(Index n, Index places, const WeighingOptions& options) {
 
 }  // namespace
 
-std::vector<MatrixXd> weighing_gains(const std::vector<ErrorModel>& models, double period_s,
-                                     const VectorXd& spread, Index places,
-                                     const WeighingOptions& options) {
+WeighingGains::WeighingGains(Index errors, const VectorXd& spread, Index places,
+                             const WeighingOptions& options)
+    : looked_(look_variances(errors / 2, places, options)), options_(options) {
+  const Index size = errors + spread.size();
+  variance_.setZero(size, size);
+  variance_.bottomRightCorner(spread.size(), spread.size()) = spread.cwiseAbs2().asDiagonal();
+}
+
+std::vector<MatrixXd> WeighingGains::over(const std::vector<ErrorModel>& models, double period_s) {
   std::vector<MatrixXd> gains;
-  if (models.empty()) return gains;
-  const Index errors = models.front().by_error.rows(), unknowns = spread.size();
-  const Index size = errors + unknowns;
-  const VectorXd looked = look_variances(errors / 2, places, options);
+  const Index errors = looked_.size(), size = variance_.rows();
   // A torque that stays for a while disturbs as white noise of that density does.
-  const double torque = squared(options.torque_Nm) * 2.0 * options.torque_time_s / period_s;
+  const double torque = squared(options_.torque_Nm) * 2.0 * options_.torque_time_s / period_s;
   MatrixXd carry = MatrixXd::Identity(size, size);
-  MatrixXd variance = MatrixXd::Zero(size, size);
-  variance.bottomRightCorner(unknowns, unknowns) = spread.cwiseAbs2().asDiagonal();
   for (const ErrorModel& model : models) {
     carry.topLeftCorner(errors, errors) = model.by_error;
-    carry.topRightCorner(errors, unknowns) = model.by_unknown;
-    variance = (carry * variance * carry.transpose()).eval();
-    variance.topLeftCorner(errors, errors) += torque * model.by_drive * model.by_drive.transpose();
-    MatrixXd seen = variance.topLeftCorner(errors, errors);
-    seen.diagonal() += looked;
-    const MatrixXd gain = seen.llt().solve(variance.topRows(errors)).transpose();
-    variance -= (gain * variance.topRows(errors)).eval();
-    variance = (0.5 * (variance + variance.transpose())).eval();
+    carry.topRightCorner(errors, size - errors) = model.by_unknown;
+    variance_ = (carry * variance_ * carry.transpose()).eval();
+    variance_.topLeftCorner(errors, errors) += torque * model.by_drive * model.by_drive.transpose();
+    MatrixXd seen = variance_.topLeftCorner(errors, errors);
+    seen.diagonal() += looked_;
+    const MatrixXd gain = seen.llt().solve(variance_.topRows(errors)).transpose();
+    variance_ -= (gain * variance_.topRows(errors)).eval();
+    variance_ = (0.5 * (variance_ + variance_.transpose())).eval();
     gains.push_back(gain);
   }
   return gains;

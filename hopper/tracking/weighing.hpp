@@ -20,12 +20,22 @@ struct WeighingOptions {
 };
 
 /// Gains with which errors (2 n x 1) beside the model's tell of errors and unknowns ((2 n + p) x 2
-/// n each), for every period of a stretch that begins as planned: Kalman's. `spread`: standard
-/// deviations of the unknowns; `places` of the first errors are lengths.
+/// n each), for every period of a motion that begins as planned: Kalman's.
 /// docs/derivations/tracking.md eq. (18).
-std::vector<Eigen::MatrixXd> weighing_gains(const std::vector<ErrorModel>& models, double period_s,
-                                            const Eigen::VectorXd& spread, Eigen::Index places,
-                                            const WeighingOptions& options = {});
+class WeighingGains {
+ public:
+  /// `spread`: standard deviations of the unknowns (p x 1); of the 2 n `errors` the first `places`
+  /// are lengths.
+  WeighingGains(Eigen::Index errors, const Eigen::VectorXd& spread, Eigen::Index places,
+                const WeighingOptions& options = {});
+  /// Returns those of the next stretch, which begins where the last one ended.
+  std::vector<Eigen::MatrixXd> over(const std::vector<ErrorModel>& models, double period_s);
+
+ private:
+  Eigen::VectorXd looked_;    ///< Variances of a look.
+  Eigen::MatrixXd variance_;  ///< Of errors and unknowns.
+  WeighingOptions options_;
+};
 
 /// Weighs a robot while it stands.
 class Weighing {

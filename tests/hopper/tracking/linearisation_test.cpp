@@ -189,17 +189,22 @@ TEST_F(Linearisation, TouchDownIsFallingToTheGroundAndTheImpact) {
   const DrivenState before = at(std::nextafter(planned.reference->modes()[3].from_s, 0.0));
   const TouchingPoints none = points(false, false);
   for (const TouchingPoints& held : {points(true, true), points(true, false)}) {
-    const auto map = touch_down_map(body, before, none, held);
-    ASSERT_TRUE(map);
+    const auto down = touch_down(body, before, none, held);
+    ASSERT_TRUE(down);
+    ASSERT_EQ(down->unevenness.rows(), held.count());
     const VectorXd acceleration = held_acceleration(body, before, none).value();
-    const auto height_m = [&](const VectorXd& position) {
+    const auto heights_m = [&](const VectorXd& position) {
       EXPECT_TRUE(body.set(position, VectorXd::Zero(9)));
-      double sum_m = 0.0;
-      for (Index i = 0; i < 4; ++i) {
+      VectorXd each_m(held.count());
+      for (Index i = 0, row = 0; i < 4; ++i) {
         const auto& point = planned.robot.contacts[static_cast<std::size_t>(i)].point;
-        if (held[i]) sum_m += dynamics::point_position_m(body.state(), point).z();
+        if (held[i]) each_m[row++] = dynamics::point_position_m(body.state(), point).z();
       }
-      return sum_m / static_cast<double>(held.count());
+      return each_m;
+    };
+    const auto height_m = [&](const VectorXd& position) { return heights_m(position).mean(); };
+    const auto uneven_m = [&](const VectorXd& position) -> VectorXd {
+      return heights_m(position).array() - height_m(position);
     };
     const double ground_m = height_m(before.position);
     const auto landed = [&](const VectorXd& error, VectorXd& position) {
@@ -220,7 +225,12 @@ TEST_F(Linearisation, TouchDownIsFallingToTheGroundAndTheImpact) {
       apart.tail(9) = landed(kApart * VectorXd::Unit(18, column), ahead);
       apart.tail(9) -= landed(-kApart * VectorXd::Unit(18, column), behind);
       dynamics::position_difference(planned.robot.tree, behind, ahead, apart.head(9));
-      EXPECT_LT((apart / (2.0 * kApart) - map->col(column)).norm(), 1e-5 * map->norm()) << column;
+      const auto close = [&](const VectorXd& difference, const MatrixXd& slopes) {
+        const double off = (difference / (2.0 * kApart) - slopes.col(column)).norm();
+        EXPECT_LT(off, 1e-5 * (1.0 + slopes.norm())) << column;
+      };
+      close(apart, down->after);
+      close(uneven_m(ahead) - uneven_m(behind), down->unevenness);
     }
   }
 }

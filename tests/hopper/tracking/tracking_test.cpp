@@ -69,6 +69,49 @@ TEST_F(Standing, RecoversFromAPush) {
   }
 }
 
+// Set down on the edge of its foot, from which the ground is to hold the foot flat.
+TEST_F(Standing, LaysDownAFootThatIsOnItsEdge) {
+  LqrOptions slack;
+  slack.lifted_rad = 1e6;
+  VectorXd position = wanted.position;
+  position[9] += 0.3;
+  position = test::on_ground(robot, position);
+  for (const bool lies_down : {true, false}) {
+    const auto lqr = regulator(lies_down ? LqrOptions() : slack);
+    test::ClosedLoop loop(robot, *lqr);
+    loop.start(position, VectorXd::Zero(9), 0.0);
+    (void)loop.run_until(1.0);
+    EXPECT_EQ(error(loop) < 0.01, lies_down) << error(loop);
+  }
+}
+
+// Gains of a foot that is off the ground know nothing of what the ground leaves free, and are the
+// drives' own loops, at an error of so much, of what it takes out.
+TEST_F(Standing, GainsOfALiftedFootAreTheDrivesOwnOfWhatTheGroundTakesOut) {
+  LqrOptions options;
+  options.lifted_rad = 0.7;
+  const LqrResult found = lqr_gains(robot, reference, options);
+  ASSERT_TRUE(found.gains);
+  const MatrixXd& gain = found.gains->at(0, 0.05).of_lifted;
+  PdOptions own;
+  own.full_torque_error_rad = 0.7;
+  const PdGains loops = pd_gains(robot, reference, own);
+  WholeBody body(robot);
+  const auto space =
+      error_space(body, wanted.position, wanted.velocity, TouchingPoints::Constant(4, true));
+  ASSERT_TRUE(space);
+  EXPECT_LT((gain * space->from_free).norm(), 1e-9 * gain.norm());
+  ASSERT_TRUE(body.set(wanted.position, wanted.velocity));
+  const VectorXd some = VectorXd::LinSpaced(18, -1.0, 1.3);
+  const VectorXd taken = some - space->from_free * space->to_free * some;
+  VectorXd drives_rad(3), drives_rad_s(3);
+  body.speed_changes(taken.head(9), drives_rad);
+  body.speed_changes(taken.tail(9), drives_rad_s);
+  const VectorXd expected_Nm = loops.stiffness_Nm_rad.cwiseProduct(drives_rad) +
+                               loops.damping_Nm_s_rad.cwiseProduct(drives_rad_s);
+  EXPECT_LT((gain * some - expected_Nm).norm(), 1e-9 * expected_Nm.norm());
+}
+
 // Without feedback it falls: what holds it above is the gains.
 TEST_F(Standing, FallsWithoutGains) {
   PdOptions none;

@@ -17,7 +17,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kOtherStep = 0.03;
-constexpr Index kBodiesThatWeigh = 3, kWeighedDrives = 3;
+constexpr Index kFactors = 2, kBodiesThatWeigh = 3, kWeighedDrives = 3;
 
 struct Moving {
   VectorXd position, velocity, acceleration;
@@ -30,15 +30,17 @@ Moving moving(const Robot& hopper) {
   return at;
 }
 
-/// The hopper with its `unknown`-th number so far from the document's: the masses' factor, then
-/// thigh, calf and foot by axes.
+/// The hopper with its `unknown`-th number so far from the document's: the factors of masses and of
+/// inertias, then thigh, calf and foot by axes.
 Robot changed(Robot robot, Index unknown, double by) {
   constexpr std::size_t kBodies[] = {0, 1, 3};
   if (unknown == 0) {
     for (dynamics::Body& body : robot.tree.bodies) body.inertia.mass_kg *= 1.0 + by;
+  } else if (unknown == 1) {
+    for (dynamics::Body& body : robot.tree.bodies) body.inertia.inertia_kg_m2 *= 1.0 + by;
   } else {
-    const auto body = static_cast<std::size_t>((unknown - 1) / 3);
-    robot.tree.bodies[kBodies[body]].inertia.center_of_mass_m[(unknown - 1) % 3] += by;
+    const auto body = static_cast<std::size_t>((unknown - kFactors) / 3);
+    robot.tree.bodies[kBodies[body]].inertia.center_of_mass_m[(unknown - kFactors) % 3] += by;
   }
   return robot;
 }
@@ -63,11 +65,11 @@ TEST(UnknownLoads, AskForWhatRobotsThatDifferAskFor) {
   const Robot robot = test::robot_of("hopper.json");
   const Moving at = moving(robot);
   UnknownLoads loads(robot);
-  ASSERT_EQ(loads.size(), 1 + 3 * kBodiesThatWeigh + kWeighedDrives);
+  ASSERT_EQ(loads.size(), kFactors + 3 * kBodiesThatWeigh + kWeighedDrives);
   const auto forces = loads.forces(at.position, at.velocity, at.acceleration);
   ASSERT_TRUE(forces);
   const MatrixXd impulses = loads.impulses(at.position, at.velocity);
-  for (Index i = 0; i < 1 + 3 * kBodiesThatWeigh; ++i) {
+  for (Index i = 0; i < kFactors + 3 * kBodiesThatWeigh; ++i) {
     const Robot more = changed(robot, i, kOtherStep), less = changed(robot, i, -kOtherStep);
     const VectorXd slope = (asked(more, at) - asked(less, at)) / (2.0 * kOtherStep);
     EXPECT_LT((forces->col(i) - slope).norm(), 1e-9 * (1.0 + slope.norm())) << i;

@@ -47,7 +47,8 @@ TEST(Weighing, IsTheRegressionOverAllLooks) {
   const VectorXd spread = (VectorXd(3) << 0.5, 1.5, 0.1).finished();
   const WeighingOptions options{0.3, 0.2, 0.5, 0.4, 0.0, 0.05};
   const VectorXd looked = (VectorXd(4) << 0.3, 0.2, 0.5, 0.4).finished().cwiseAbs2();
-  const std::vector<MatrixXd> gains = weighing_gains(models, kPeriod_s, spread, 1, options);
+  const std::vector<MatrixXd> gains =
+      WeighingGains(kWeighedErrors, spread, 1, options).over(models, kPeriod_s);
   Weighing weighing;
   weighing.start(kWeighedErrors, kUnknowns);
   MatrixXd information = spread.cwiseAbs2().cwiseInverse().asDiagonal();
