@@ -11,6 +11,10 @@
 
 namespace torquewright::identification {
 
+/// The residual of one of some stretches under a hypothesis.
+using ResidualOfStretch =
+    std::function<std::vector<double>(const Hypothesis&, std::size_t stretch)>;
+
 /// One equation that a log's channels allow: the measured quantity less what a hypothesis predicts.
 struct ForwardEquation {
   std::string quantity;  ///< Quantity whose error the residual is.
@@ -32,6 +36,9 @@ struct ForwardEquation {
   std::vector<std::string> pointers;
   std::vector<EffectCandidate> candidates;
   std::function<std::vector<double>(const Hypothesis&, const Signals&)> residual;
+  /// Returns the same function on stretches that outlive it, for many hypotheses: it remembers what
+  /// they share. For one thread. Empty: `residual` is all there is.
+  std::function<ResidualOfStretch(const std::vector<Signals>&)> residual_on;
   /// Returns the measured quantity, in `unit`.
   std::function<std::vector<double>(const Signals&)> measured;
   /// Returns whether a hypothesis breaks no law of nature; empty: not asked.

@@ -5,8 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "actuator/effects/effect.hpp"
-#include "actuator/region/torque_at.hpp"
 #include "identification/signals/signal.hpp"
 
 namespace torquewright::identification {
@@ -62,15 +60,15 @@ AtParts at_parts(std::size_t step, std::size_t samples, const ValueAt& value_at)
   return values;
 }
 
-bool is_friction_of(const actuator::Effect& effect) { return !effect.kind->follows_torque; }
-
-/// One effect's torque, at every part of every step. Friction follows the motion alone, a lag the
+/// The effect's torque, at every part of every step. Friction follows the motion alone, a lag the
 /// motor's torque.
-std::vector<double> history_Nm(const actuator::Effect& effect, const std::vector<Instant>& at,
-                               const std::vector<double>& motor_Nm, double step_s) {
+std::vector<double> torque_at_parts_Nm(const actuator::Effect& effect,
+                                       const std::vector<Instant>& at,
+                                       const std::vector<double>& speeds_rad_s,
+                                       const std::vector<double>& motor_Nm, double step_s) {
   const std::size_t n = at.size();
   const double part_s = step_s / kParts;
-  const bool is_friction = is_friction_of(effect);
+  const bool is_friction = !effect.kind->follows_torque;
   std::vector<double> torque_Nm;
   torque_Nm.reserve(n * kParts);
   double state = is_friction ? 0.0 : motor_Nm.front();
@@ -82,13 +80,11 @@ std::vector<double> history_Nm(const actuator::Effect& effect, const std::vector
   };
   for (std::size_t i = 0; i + 1 < n; ++i) {
     now = at[i];
-    const AtParts angle_rad =
-        at_parts(i, n, [&](std::size_t sample) { return at[sample].output_angle_rad; });
     AtParts input{};
     if (!is_friction) input = at_parts(i, n, [&](std::size_t sample) { return motor_Nm[sample]; });
     for (std::size_t part = 0; part < kParts; ++part) {
       add(input[part]);
-      now.speed_rad_s = (angle_rad[part + 1] - angle_rad[part]) / part_s;
+      now.speed_rad_s = speeds_rad_s[i * kParts + part];
       now.direction = now.speed_rad_s > 0.0 ? 1.0 : now.speed_rad_s < 0.0 ? -1.0 : 0.0;
       const LinearRate begin = rate_at(effect, now, state);
       LinearRate end = begin;
@@ -100,7 +96,7 @@ std::vector<double> history_Nm(const actuator::Effect& effect, const std::vector
     }
   }
   now = at.back();
-  add(motor_Nm.back());
+  add(is_friction ? 0.0 : motor_Nm.back());
   return torque_Nm;
 }
 
@@ -110,24 +106,35 @@ bool is_neutral(const actuator::Effect& effect) {
 
 }  // namespace
 
-std::vector<double> torque_of_histories_Nm(const actuator::Actuator& actuator,
-                                           const std::vector<Instant>& at,
-                                           const std::vector<double>& motor_Nm, double step_s,
-                                           double cutoff_Hz) {
-  std::vector<double> sum_Nm(at.size(), 0.0);
-  if (at.empty() || !(step_s > 0.0)) return sum_Nm;
-  for (const actuator::Effect& effect : actuator.effects) {
-    const bool is_in_train = effect.kind->in_train != actuator::TrainPart::kNone;
-    if (effect.kind->state_rate == nullptr || is_in_train || is_neutral(effect)) continue;
-    std::vector<double> torque_Nm = history_Nm(effect, at, motor_Nm, step_s);
-    const bool is_friction = is_friction_of(effect);
-    if (is_friction && cutoff_Hz > 0.0) LowPass(cutoff_Hz, kParts / step_s).apply(torque_Nm);
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      const double factor = is_friction ? actuator::drag_factor(actuator, at[i]) : 1.0;
-      sum_Nm[i] += factor * torque_Nm[i * kParts];
+bool has_history(const actuator::Effect& effect) {
+  return effect.kind->state_rate != nullptr && effect.kind->in_train == actuator::TrainPart::kNone;
+}
+
+std::vector<double> speeds_of_parts_rad_s(const std::vector<Instant>& at, double step_s) {
+  const double part_s = step_s / kParts;
+  std::vector<double> speeds_rad_s;
+  for (std::size_t i = 0; i + 1 < at.size() && step_s > 0.0; ++i) {
+    const AtParts angle_rad =
+        at_parts(i, at.size(), [&](std::size_t sample) { return at[sample].output_angle_rad; });
+    for (std::size_t part = 0; part < kParts; ++part) {
+      speeds_rad_s.push_back((angle_rad[part + 1] - angle_rad[part]) / part_s);
     }
   }
-  return sum_Nm;
+  return speeds_rad_s;
+}
+
+std::vector<double> torque_of_history_Nm(const actuator::Effect& effect,
+                                         const std::vector<Instant>& at,
+                                         const std::vector<double>& speeds_rad_s,
+                                         const std::vector<double>& motor_Nm, double step_s,
+                                         double cutoff_Hz) {
+  std::vector<double> torque_Nm(at.size(), 0.0);
+  if (at.empty() || !(step_s > 0.0) || is_neutral(effect)) return torque_Nm;
+  std::vector<double> parts_Nm = torque_at_parts_Nm(effect, at, speeds_rad_s, motor_Nm, step_s);
+  const bool is_friction = !effect.kind->follows_torque;
+  if (is_friction && cutoff_Hz > 0.0) LowPass(cutoff_Hz, kParts / step_s).apply(parts_Nm);
+  for (std::size_t i = 0; i < at.size(); ++i) torque_Nm[i] = parts_Nm[i * kParts];
+  return torque_Nm;
 }
 
 }  // namespace torquewright::identification

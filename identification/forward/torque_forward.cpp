@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 
 #include "actuator/effects/library.hpp"
@@ -23,6 +24,10 @@ using actuator::EffectKind;
 using actuator::StandsFor;
 using actuator::TrainPart;
 
+/// Samples of series that are remembered of each kind, and bounds of the number of series: twice
+/// as many as a model has effects, and what one effect needs beside the others' sums.
+constexpr std::size_t kRememberedSamples = 2'000'000;
+constexpr std::size_t kFewestSeries = 2, kMostSeries = 24;
 constexpr double kMostFactor = 30.0;  ///< An uncertain value is within it of what is stated.
 
 bool is_uncertain(const Bench& bench, const char* pointer) {
@@ -168,6 +173,18 @@ double used_torque_Nm(const std::vector<Signals>& signals) {
   return count > 0.0 ? std::sqrt(square / count) : 0.0;
 }
 
+/// The balances of stretches, each of which remembers as many series as memory has room for.
+ResidualOfStretch balances_on(const Bench& bench, const std::vector<Signals>& signals) {
+  std::size_t samples = 1;
+  for (const Signals& each : signals) samples += each.size();
+  const std::size_t series = std::clamp(kRememberedSamples / samples, kFewestSeries, kMostSeries);
+  auto balances = std::make_shared<std::vector<TorqueBalance>>();
+  for (const Signals& each : signals) balances->emplace_back(bench, each, series);
+  return [balances](const Hypothesis& hypothesis, std::size_t stretch) {
+    return (*balances)[stretch].residual_Nm(hypothesis);
+  };
+}
+
 /// Whether the effect shows in what follows in time.
 bool needs_time(const EffectCandidate& candidate) {
   const EffectKind* kind = actuator::find_effect(candidate.effect);
@@ -270,6 +287,9 @@ ForwardEquation torque_forward(const Bench& bench, const std::vector<Signals>& s
   equation.candidates = torque_candidates(bench, ranges);
   equation.residual = [&bench](const Hypothesis& hypothesis, const Signals& stretch) {
     return torque_balance_Nm(bench, hypothesis, stretch);
+  };
+  equation.residual_on = [&bench](const std::vector<Signals>& stretches) {
+    return balances_on(bench, stretches);
   };
   equation.measured = [&bench](const Signals& stretch) { return measured_of(bench, stretch); };
   equation.is_possible = [&bench, speed_rad_s = ranges.speed_rad_s,

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "actuator/effects/acting.hpp"
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "identification/forward/backlash_residual.hpp"
@@ -20,19 +18,12 @@ namespace {
 
 using actuator::Acts;
 using actuator::Actuator;
+using actuator::Effect;
 using actuator::Instant;
 
-constexpr double kMostTurnsPerSample = 0.5;  ///< Of a wave: faster, it would fold.
-constexpr double kMostGain = 20.0;           ///< Of a mesh that nearly locks.
-
-/// What drives, moves and loads a stretch, each as it was before its channel was late.
-struct Motion {
-  std::vector<Instant> at;
-  std::vector<double> drive;  ///< Ampere, or volt.
-  std::vector<double> load_Nm;
-  std::vector<double> motor_acceleration_rad_s2;
-  double drive_late_s = 0.0;
-};
+constexpr double kMostGain = 20.0;  ///< Of a mesh that nearly locks.
+/// Motions, motors and loads that are remembered: of a model and of the parameter that moves.
+constexpr std::size_t kMostStates = 3;
 
 double delay_of_motion_s(const Hypothesis& hypothesis) {
   double delay_s = 0.0;
@@ -44,64 +35,11 @@ double delay_of_motion_s(const Hypothesis& hypothesis) {
   return delay_s;
 }
 
-template <typename Field>
-void advance_field(std::vector<Instant>& at, Field Instant::*field, double delay_s, double step_s) {
-  std::vector<double> values(at.size());
-  for (std::size_t i = 0; i < at.size(); ++i) values[i] = at[i].*field;
-  values = advanced(values, delay_s, step_s);
-  for (std::size_t i = 0; i < at.size(); ++i) at[i].*field = values[i];
-}
-
-void advance_motion(std::vector<Instant>& at, double delay_s, double step_s) {
-  for (auto field : {&Instant::speed_rad_s, &Instant::acceleration_rad_s2,
-                     &Instant::output_angle_rad, &Instant::motor_angle_rad, &Instant::direction}) {
-    advance_field(at, field, delay_s, step_s);
-  }
+double delay_of_s(const Hypothesis& hypothesis, Quantity channel) {
+  return hypothesis.log.delay_s[static_cast<std::size_t>(channel)];
 }
 
 bool is_same_load(const Rig& a, const Rig& b) { return a.load == b.load && a.loads == b.loads; }
-
-std::vector<double> load_of(const Bench& bench, const Hypothesis& hypothesis,
-                            const Signals& signals) {
-  if (bench.load_side == LoadSide::kSensor || is_same_load(hypothesis.rig, *bench.rig)) {
-    return signals.load_side_Nm;
-  }
-  return model_load_Nm(hypothesis.rig, bench.joint, signals);
-}
-
-Motion motion_of(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals) {
-  Motion motion{
-      signals.at, {}, load_of(bench, hypothesis, signals), signals.motor_acceleration_rad_s2, 0.0};
-  motion.drive.resize(signals.size());
-  const bool is_filtered = !signals.filtered_direction.empty();
-  for (std::size_t i = 0; i < signals.size(); ++i) {
-    if (is_filtered) motion.at[i].direction = signals.filtered_direction[i];
-    motion.drive[i] =
-        bench.drive == Drive::kVoltage ? signals.voltage_V[i] : signals.at[i].current_A;
-  }
-  const double step_s = signals.step_s;
-  const double moved_s = delay_of_motion_s(hypothesis);
-  if (moved_s != 0.0) {
-    advance_motion(motion.at, moved_s, step_s);
-    if (!motion.motor_acceleration_rad_s2.empty()) {
-      motion.motor_acceleration_rad_s2 =
-          advanced(motion.motor_acceleration_rad_s2, moved_s, step_s);
-    }
-    if (bench.load_side == LoadSide::kModel)
-      motion.load_Nm = advanced(motion.load_Nm, moved_s, step_s);
-  }
-  const auto& delay_s = hypothesis.log.delay_s;
-  motion.drive_late_s =
-      delay_s[static_cast<std::size_t>(bench.drive_channel)] + hypothesis.log.instant_s;
-  if (motion.drive_late_s != 0.0) {
-    motion.drive = advanced(motion.drive, motion.drive_late_s, step_s);
-  }
-  if (bench.load_side == LoadSide::kSensor) {
-    const double load_s = delay_s[static_cast<std::size_t>(bench.load_channel)];
-    if (load_s != 0.0) motion.load_Nm = advanced(motion.load_Nm, load_s, step_s);
-  }
-  return motion;
-}
 
 /// Torque after over torque before the mesh, by whether the motor drives; the same at every load.
 struct Mesh {
@@ -117,37 +55,14 @@ struct Mesh {
   }
 };
 
-/// The mean over both directions by their shares of the instant's time; leaves it in the last one.
-template <typename Law>
-double over_directions(Instant& at, const Law& law) {
-  const double forward = 0.5 * (1.0 + at.direction);
+/// The mean over both directions by their shares of the instant's time.
+template <typename InDirection>
+double over_directions(double direction, const InDirection& in_direction) {
+  const double forward = 0.5 * (1.0 + direction);
   double sum = 0.0;
-  if (forward != 0.0) {
-    at.direction = 1.0;
-    sum += forward * law(at);
-  }
-  if (forward != 1.0) {
-    at.direction = -1.0;
-    sum += (1.0 - forward) * law(at);
-  }
+  if (forward != 0.0) sum += forward * in_direction(1.0);
+  if (forward != 1.0) sum += (1.0 - forward) * in_direction(-1.0);
   return sum;
-}
-
-/// Torque at the output by its angle: what is there without a load, and in proportion to it.
-struct Ripple {
-  double alone_Nm = 0.0, per_load = 0.0;
-};
-Ripple ripple_of(const Actuator& actuator, Instant at) {
-  at.load_torque_Nm = 0.0;
-  const double alone_Nm = actuator::ripple_Nm(actuator, at);
-  at.load_torque_Nm = 1.0;
-  return {alone_Nm, actuator::ripple_Nm(actuator, at) - alone_Nm};
-}
-
-bool acts_on_output(const Actuator& actuator) {
-  return std::any_of(
-      actuator.effects.begin(), actuator.effects.end(),
-      [](const actuator::Effect& each) { return each.kind->acts == Acts::kOutputTorque; });
 }
 
 /// What gravity adds on the output beyond the rig's model.
@@ -160,7 +75,7 @@ double imbalance_Nm(const Hypothesis& hypothesis, double angle_rad) {
 /// Removes what a gap between motor and output does, where one is supposed and can be felt.
 void subtract_gap(const Bench& bench, const Hypothesis& hypothesis, const Signals& signals,
                   std::vector<double>& balance_Nm) {
-  for (const actuator::Effect& effect : hypothesis.actuator.effects) {
+  for (const Effect& effect : hypothesis.actuator.effects) {
     const bool is_gap = effect.kind->in_train == actuator::TrainPart::kGap;
     if (!is_gap || effect.values[0] <= 0.0 || !shows_backlash(bench)) continue;
     Bench with_gap = bench;
@@ -171,104 +86,253 @@ void subtract_gap(const Bench& bench, const Hypothesis& hypothesis, const Signal
   }
 }
 
-/// An actuator whose waves are as large as the signals' low-pass leaves them, and as nothing where
-/// they turn so fast that they would fold.
-class SeenWaves {
- public:
-  SeenWaves(const Actuator& actuator, const Signals& signals)
-      : all_(actuator), seen_(actuator), step_s_(signals.step_s) {
-    if (signals.cutoff_Hz > 0.0) filter_.emplace(signals.cutoff_Hz, 1.0 / signals.sample_step_s);
-    has_waves_ = std::any_of(all_.effects.begin(), all_.effects.end(),
-                             [](const auto& effect) { return !effect.harmonics.empty(); });
+/// What changes the motor's torque: factors of its constant, and what a winding's current follows.
+bool acts_on_motor(const Effect& effect) {
+  switch (effect.kind->acts) {
+    case Acts::kTorqueFactor:
+    case Acts::kFluxFactor:
+    case Acts::kResistanceFactor:
+    case Acts::kWindingVoltage:
+    case Acts::kBusVoltage:
+      return true;
+    default:
+      return false;
   }
+}
 
-  /// Valid until the next call.
-  const Actuator& at(double speed_rad_s) {
-    if (!has_waves_) return all_;
-    for (std::size_t e = 0; e < all_.effects.size(); ++e) {
-      const actuator::Effect& effect = all_.effects[e];
-      for (std::size_t h = 0; h < effect.harmonics.size(); ++h) {
-        const actuator::Harmonic& wave = effect.harmonics[h];
-        seen_.effects[e].harmonics[h].amplitude =
-            wave.amplitude * gain(turns_per_rad(effect, wave) * std::abs(speed_rad_s));
-      }
-    }
-    return seen_;
-  }
+void add(const LawSeries& series, LawSeries& sum) {
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += series[i];
+}
 
- private:
-  double turns_per_rad(const actuator::Effect& effect, const actuator::Harmonic& wave) const {
-    const bool is_of_motor = effect.kind->acts == Acts::kMotorSideTorque;
-    return wave.order * (is_of_motor ? std::abs(all_.transmission.ratio) : 1.0) /
-           (2.0 * std::numbers::pi);
+std::vector<const Effect*> effects_acting(const Actuator& actuator, Acts acts) {
+  std::vector<const Effect*> effects;
+  for (const Effect& each : actuator.effects) {
+    if (each.kind->acts == acts) effects.push_back(&each);
   }
-  double gain(double frequency_Hz) const {
-    if (frequency_Hz * step_s_ > kMostTurnsPerSample) return 0.0;
-    return filter_ ? filter_->gain(frequency_Hz) : 1.0;
-  }
+  return effects;
+}
 
-  const Actuator& all_;
-  Actuator seen_;
-  double step_s_;
-  std::optional<LowPass> filter_;
-  bool has_waves_ = false;
-};
+LawSeries sum_of_plain(const Actuator& actuator, Acts acts, MovedStretch& moved) {
+  LawSeries sum(moved.at().size(), 0.0);
+  for (const Effect* each : effects_acting(actuator, acts)) add(*moved.plain(*each), sum);
+  return sum;
+}
+
+/// Of all drag; 1 where nothing changes it.
+LawSeries drag_factors(const Actuator& actuator, MovedStretch& moved) {
+  LawSeries factor(moved.at().size(), 1.0);
+  const std::vector<const Effect*> effects = effects_acting(actuator, Acts::kDragFactor);
+  for (const Effect* each : effects) {
+    const auto series = moved.plain(*each);
+    for (std::size_t i = 0; i < factor.size(); ++i) factor[i] *= (*series)[i];
+  }
+  for (double& each : factor) each = std::max(0.0, each);
+  return factor;
+}
+
+/// Friction that does not depend on load, in both directions.
+DirectedSeries drag_of(const Actuator& actuator, MovedStretch& moved) {
+  const std::size_t n = moved.at().size();
+  DirectedSeries drag{LawSeries(n, 0.0), LawSeries(n, 0.0)};
+  for (const Effect* each : effects_acting(actuator, Acts::kDrag)) {
+    const auto series = moved.drag(*each);
+    add(series->forward, drag.forward);
+    add(series->backward, drag.backward);
+  }
+  const LawSeries factor = drag_factors(actuator, moved);
+  for (LawSeries* each : {&drag.forward, &drag.backward}) {
+    for (std::size_t i = 0; i < n; ++i)
+      (*each)[i] = (*each)[i] == 0.0 ? 0.0 : (*each)[i] * factor[i];
+  }
+  return drag;
+}
 
 }  // namespace
 
-std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypothesis,
-                                      const Signals& signals) {
-  Motion motion = motion_of(bench, hypothesis, signals);
-  const std::size_t n = signals.size();
-  const bool is_sensor = bench.load_side == LoadSide::kSensor;
-  const DriveSide drive(bench, hypothesis, signals, motion.drive, motion.at, motion.drive_late_s);
-  std::vector<double> motor_Nm(n), stated_per_own(n, 1.0);
-  for (std::size_t i = 0; i < n; ++i) {
-    Instant& at = motion.at[i];
-    motor_Nm[i] = drive.motor_Nm(i, at);
-    if (!is_sensor) stated_per_own[i] = drive.stated_over_own_slope(i, at);
+/// What of the torque at the output repeats with its angle, in proportion to the load or not.
+class TorqueBalance::Ripples {
+ public:
+  Ripples(const Actuator& actuator, MovedStretch& moved) {
+    for (const Effect* each : effects_acting(actuator, Acts::kOutputTorque)) {
+      parts_.push_back({moved.ripple(*each), each->proportional});
+    }
   }
-  const std::vector<double> histories_Nm = torque_of_histories_Nm(
-      hypothesis.actuator, motion.at, motor_Nm, signals.step_s, signals.cutoff_Hz);
-  const Mesh mesh(hypothesis.actuator);
-  const double inertia_kg_m2 = actuator::reflected_inertia_kg_m2(hypothesis.actuator);
-  std::vector<double> balance_Nm(n);
-  const bool has_ripple = acts_on_output(hypothesis.actuator);
-  SeenWaves waves(hypothesis.actuator, signals);
+  double at_Nm(std::size_t i, double load_Nm) const {
+    double sum = 0.0;
+    for (const Part& each : parts_) {
+      sum += each.is_proportional ? each.series->loaded[i] * load_Nm : each.series->alone[i];
+    }
+    return sum;
+  }
+  bool empty() const { return parts_.empty(); }
+  double alone_Nm(std::size_t i) const {
+    double sum = 0.0;
+    for (const Part& each : parts_) sum += each.series->alone[i];
+    return sum;
+  }
+  /// Under a load of 1 Nm.
+  double loaded_Nm(std::size_t i) const {
+    double sum = 0.0;
+    for (const Part& each : parts_) sum += each.series->loaded[i];
+    return sum;
+  }
+
+ private:
+  struct Part {
+    std::shared_ptr<const RippleSeries> series;
+    bool is_proportional;
+  };
+  std::vector<Part> parts_;
+};
+
+/// What a hypothesis makes of the stretch, term by term.
+struct TorqueBalance::Terms {
+  std::shared_ptr<const MovedStretch> moved;
+  std::shared_ptr<const DriveTorque> drive;
+  std::shared_ptr<const LawSeries> load_Nm;
+  LawSeries smooth_Nm;  ///< Before drag and mesh.
+  DirectedSeries drag_Nm;
+  Ripples ripples;
+};
+
+TorqueBalance::TorqueBalance(const Bench& bench, const Signals& signals, std::size_t most)
+    : bench_(bench),
+      signals_(signals),
+      most_(most),
+      moved_(std::min(most, kMostStates)),
+      drives_(std::min(most, kMostStates)),
+      loads_(std::min(most, kMostStates)) {}
+
+TorqueBalance::DriveTorque TorqueBalance::drive_torque(const Hypothesis& hypothesis,
+                                                       const MovedStretch& moved,
+                                                       double drive_late_s) const {
+  const std::size_t n = signals_.size();
+  std::vector<double> channel(n);
   for (std::size_t i = 0; i < n; ++i) {
-    Instant& at = motion.at[i];
-    const Actuator& actuator = waves.at(at.speed_rad_s);
-    const double imbalance = imbalance_Nm(hypothesis, at.output_angle_rad);
-    const double acceleration_rad_s2 = motion.motor_acceleration_rad_s2.empty()
-                                           ? at.acceleration_rad_s2
-                                           : motion.motor_acceleration_rad_s2[i];
-    const double smooth_Nm = motor_Nm[i] + histories_Nm[i] +
-                             actuator::periodic_motor_torque_Nm(actuator, at) -
-                             inertia_kg_m2 * acceleration_rad_s2;
-    if (is_sensor) {
-      const double predicted_Nm = over_directions(at, [&](Instant& now) {
-        now.load_torque_Nm =
-            mesh.after(smooth_Nm + actuator::drag_Nm(actuator, now), now.direction);
-        return now.load_torque_Nm + actuator::ripple_Nm(actuator, now);
-      });
-      balance_Nm[i] =
-          motion.load_Nm[i] - hypothesis.log.torque_offset_Nm - imbalance - predicted_Nm;
+    channel[i] = bench_.drive == Drive::kVoltage ? signals_.voltage_V[i] : signals_.at[i].current_A;
+  }
+  if (drive_late_s != 0.0) channel = advanced(channel, drive_late_s, signals_.step_s);
+  const DriveSide side(bench_, hypothesis, signals_, channel, moved.at(), drive_late_s);
+  DriveTorque torque;
+  for (std::size_t i = 0; i < n; ++i) {
+    Instant at = moved.at()[i];
+    torque.motor_Nm.push_back(side.motor_Nm(i, at));
+    if (bench_.load_side != LoadSide::kSensor)
+      torque.stated_over_own_slope.push_back(side.stated_over_own_slope(i, at));
+  }
+  return torque;
+}
+
+LawSeries TorqueBalance::load_torque(const Hypothesis& hypothesis, double late_s,
+                                     bool is_as_stated) const {
+  LawSeries load_Nm =
+      is_as_stated ? signals_.load_side_Nm : model_load_Nm(hypothesis.rig, bench_.joint, signals_);
+  return late_s != 0.0 ? advanced(load_Nm, late_s, signals_.step_s) : load_Nm;
+}
+
+double TorqueBalance::load_late_s(const Hypothesis& hypothesis, double moved_s) const {
+  if (bench_.load_side == LoadSide::kModel) return moved_s;
+  return bench_.load_side == LoadSide::kSensor ? delay_of_s(hypothesis, bench_.load_channel) : 0.0;
+}
+
+LawSeries TorqueBalance::histories(const Actuator& actuator, MovedStretch& moved,
+                                   const LawSeries& motor_Nm) const {
+  LawSeries sum(signals_.size(), 0.0);
+  for (const Effect& effect : actuator.effects) {
+    if (!has_history(effect)) continue;
+    if (effect.kind->follows_torque) {
+      add(moved.lag_history(effect, motor_Nm), sum);
       continue;
     }
-    const Ripple ripple = has_ripple ? ripple_of(actuator, at) : Ripple{};
-    const double load_Nm =
-        (motion.load_Nm[i] - imbalance - ripple.alone_Nm - hypothesis.log.torque_offset_Nm) /
-        (1.0 + ripple.per_load);
-    balance_Nm[i] = over_directions(at,
-                                    [&](const Instant& now) {
-                                      return mesh.before(load_Nm, now.direction) -
-                                             actuator::drag_Nm(actuator, now);
-                                    }) -
-                    smooth_Nm;
-    balance_Nm[i] *= stated_per_own[i];
+    const auto friction = moved.friction_history(effect);
+    const LawSeries factor = drag_factors(actuator, moved);
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor[i] * (*friction)[i];
   }
-  subtract_gap(bench, hypothesis, signals, balance_Nm);
+  return sum;
+}
+
+TorqueBalance::Terms TorqueBalance::terms(const Hypothesis& hypothesis) {
+  const Actuator& actuator = hypothesis.actuator;
+  const double moved_s = delay_of_motion_s(hypothesis);
+  const double drive_late_s =
+      delay_of_s(hypothesis, bench_.drive_channel) + hypothesis.log.instant_s;
+  const double ratio = actuator.transmission.ratio;
+  const std::shared_ptr<MovedStretch> moved =
+      moved_.of({moved_s, ratio}, [&] { return MovedStretch(signals_, moved_s, ratio, most_); });
+  DriveKey key{moved_s,
+               drive_late_s,
+               hypothesis.winding_late_s,
+               hypothesis.log.current_offset_A,
+               hypothesis.log.positive_current_gain,
+               hypothesis.log.negative_current_gain,
+               actuator.motor,
+               actuator.drive,
+               actuator.transmission,
+               {}};
+  std::copy_if(actuator.effects.begin(), actuator.effects.end(), std::back_inserter(key.effects),
+               acts_on_motor);
+  const auto drive =
+      drives_.of(key, [&] { return drive_torque(hypothesis, *moved, drive_late_s); });
+  const bool is_as_stated =
+      bench_.load_side == LoadSide::kSensor || is_same_load(hypothesis.rig, *bench_.rig);
+  LoadKey load_key{load_late_s(hypothesis, moved_s), {}, {}};
+  if (!is_as_stated) {
+    load_key.load = {hypothesis.rig.load};
+    load_key.loads = hypothesis.rig.loads;
+  }
+  const auto load =
+      loads_.of(load_key, [&] { return load_torque(hypothesis, load_key.late_s, is_as_stated); });
+  Terms terms{moved,
+              drive,
+              load,
+              sum_of_plain(actuator, Acts::kMotorSideTorque, *moved),
+              drag_of(actuator, *moved),
+              Ripples(actuator, *moved)};
+  const LawSeries histories_Nm = histories(actuator, *moved, drive->motor_Nm);
+  const double inertia_kg_m2 = actuator::reflected_inertia_kg_m2(actuator);
+  const LawSeries& acceleration_rad_s2 = moved->rotor_rad_s2();
+  for (std::size_t i = 0; i < terms.smooth_Nm.size(); ++i) {
+    terms.smooth_Nm[i] = drive->motor_Nm[i] + histories_Nm[i] + terms.smooth_Nm[i] -
+                         inertia_kg_m2 * acceleration_rad_s2[i];
+  }
+  return terms;
+}
+
+std::vector<double> TorqueBalance::residual_Nm(const Hypothesis& hypothesis) {
+  const Terms of = terms(hypothesis);
+  const Mesh mesh(hypothesis.actuator);
+  const bool is_sensor = bench_.load_side == LoadSide::kSensor;
+  const double offset_Nm = hypothesis.log.torque_offset_Nm;
+  std::vector<double> balance_Nm(signals_.size());
+  for (std::size_t i = 0; i < balance_Nm.size(); ++i) {
+    const Instant& at = of.moved->at()[i];
+    const double imbalance = imbalance_Nm(hypothesis, at.output_angle_rad);
+    const auto drag_Nm = [&](double direction) {
+      return direction > 0.0 ? of.drag_Nm.forward[i] : of.drag_Nm.backward[i];
+    };
+    if (is_sensor) {
+      const double predicted_Nm = over_directions(at.direction, [&](double direction) {
+        const double after_Nm = mesh.after(of.smooth_Nm[i] + drag_Nm(direction), direction);
+        return after_Nm + of.ripples.at_Nm(i, after_Nm);
+      });
+      balance_Nm[i] = (*of.load_Nm)[i] - offset_Nm - imbalance - predicted_Nm;
+      continue;
+    }
+    const double alone_Nm = of.ripples.alone_Nm(i);
+    const double load_Nm = ((*of.load_Nm)[i] - imbalance - alone_Nm - offset_Nm) /
+                           (1.0 + (of.ripples.loaded_Nm(i) - alone_Nm));
+    const double needed_Nm = over_directions(at.direction, [&](double direction) {
+      return mesh.before(load_Nm, direction) - drag_Nm(direction);
+    });
+    balance_Nm[i] = (needed_Nm - of.smooth_Nm[i]) * of.drive->stated_over_own_slope[i];
+  }
+  subtract_gap(bench_, hypothesis, signals_, balance_Nm);
   return balance_Nm;
+}
+
+std::vector<double> torque_balance_Nm(const Bench& bench, const Hypothesis& hypothesis,
+                                      const Signals& signals) {
+  return TorqueBalance(bench, signals, 1).residual_Nm(hypothesis);
 }
 
 }  // namespace torquewright::identification

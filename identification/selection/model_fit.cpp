@@ -150,7 +150,18 @@ struct ModelFitter::Stated {
 
 ModelFitter::ModelFitter(const ForwardEquation& equation, const Rows& rows,
                          const std::vector<Signals>& replica)
-    : equation_(equation), rows_(rows), replica_(replica) {}
+    : equation_(equation),
+      rows_(rows),
+      replica_(replica),
+      of_rows_(residual_on(rows.signals())),
+      of_replica_(residual_on(replica)) {}
+
+ResidualOfStretch ModelFitter::residual_on(const std::vector<Signals>& stretches) const {
+  if (equation_.residual_on) return equation_.residual_on(stretches);
+  return [&equation = equation_, &stretches](const Hypothesis& supposed, std::size_t stretch) {
+    return equation.residual(supposed, stretches[stretch]);
+  };
+}
 
 std::vector<FitParameter> ModelFitter::parameters(const EffectSet& members) const {
   std::vector<FitParameter> all = equation_.always;
@@ -182,7 +193,11 @@ Hypothesis ModelFitter::hypothesis(const EffectSet& members,
 Eigen::VectorXd ModelFitter::residual(const EffectSet& members, const Eigen::VectorXd& coordinates,
                                       const std::vector<Signals>& like) const {
   const Hypothesis supposed = hypothesis(members, coordinates);
-  return rows_.values([&](const Signals& s) { return equation_.residual(supposed, s); }, like);
+  const ResidualOfStretch& of = &like == &replica_ ? of_replica_ : of_rows_;
+  const auto of_stretch = [&](const Signals& stretch) {
+    return of(supposed, static_cast<std::size_t>(&stretch - like.data()));
+  };
+  return rows_.values(of_stretch, like);
 }
 
 Eigen::VectorXd ModelFitter::residual(const EffectSet& members,

@@ -84,6 +84,7 @@ class ModelFitter {
   std::vector<FitParameter> parameters(const EffectSet& members) const;
   Eigen::VectorXd residual(const EffectSet& members, const Eigen::VectorXd& coordinates,
                            const std::vector<Signals>& like) const;
+  ResidualOfStretch residual_on(const std::vector<Signals>& stretches) const;
   struct Point;
   struct Stated;
   Stated stated(Eigen::Index count) const;
@@ -96,6 +97,7 @@ class ModelFitter {
   const ForwardEquation& equation_;
   const Rows& rows_;
   const std::vector<Signals>& replica_;
+  ResidualOfStretch of_rows_, of_replica_;
 };
 
 }  // namespace torquewright::identification

@@ -113,17 +113,18 @@ double LowPass::gain(double frequency_Hz) const {
   return 1.0 / (1.0 + bent * bent * bent * bent);
 }
 
-void LowPass::pass(std::vector<double>& signal) const {
+template <typename Iterator>
+void LowPass::pass(Iterator begin, Iterator end) const {
   // Starts as if the first value had stood for ever.
-  double x1 = signal.front(), x2 = x1, y1 = x1, y2 = x1;
-  for (double& value : signal) {
-    const double x = value;
+  double x1 = *begin, x2 = x1, y1 = x1, y2 = x1;
+  for (Iterator value = begin; value != end; ++value) {
+    const double x = *value;
     const double y = b0_ * x + b1_ * x1 + b2_ * x2 - a1_ * y1 - a2_ * y2;
     x2 = x1;
     x1 = x;
     y2 = y1;
     y1 = y;
-    value = y;
+    *value = y;
   }
 }
 
@@ -136,10 +137,8 @@ void LowPass::apply(std::vector<double>& signal) const {
   padded.insert(padded.end(), signal.begin(), signal.end());
   const std::size_t last = signal.size() - 1;
   for (std::size_t i = 1; i <= pad; ++i) padded.push_back(2.0 * signal[last] - signal[last - i]);
-  pass(padded);
-  std::reverse(padded.begin(), padded.end());
-  pass(padded);
-  std::reverse(padded.begin(), padded.end());
+  pass(padded.begin(), padded.end());
+  pass(padded.rbegin(), padded.rend());
   std::copy_n(padded.begin() + static_cast<std::ptrdiff_t>(pad), signal.size(), signal.begin());
 }
 

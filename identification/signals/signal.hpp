@@ -25,7 +25,8 @@ class LowPass {
   std::size_t settling() const { return settling_; }
 
  private:
-  void pass(std::vector<double>& signal) const;
+  template <typename Iterator>
+  void pass(Iterator begin, Iterator end) const;
 
   bool passes_all_ = false;
   double rate_Hz_ = 1.0, bent_cutoff_ = 1.0;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "actuator/effects/effect.hpp"
+#include "identification/forward/remembered.hpp"
+#include "identification/signals/signal.hpp"
+#include "identification/signals/signals.hpp"
+
+namespace torquewright::identification {
+
+/// Values of one law at every sample of a stretch.
+using LawSeries = std::vector<double>;
+
+/// The same while it turns forward and backward; 0 in a direction that a sample has no share of.
+struct DirectedSeries {
+  LawSeries forward, backward;
+};
+
+/// Torque at the output by its angle: without a load, and under a load of 1 Nm.
+struct RippleSeries {
+  LawSeries alone, loaded;
+};
+
+/// The motion of a stretch as it was before its channels were late, and what laws that follow it
+/// alone make of it. Most hypotheses of a search differ in one effect: series of the others are
+/// remembered. Waves are as large as the signals' low-pass leaves them, and nothing where they turn
+/// so fast that they would fold.
+class MovedStretch {
+ public:
+  /// `ratio`: of the transmission, with which waves of the motor turn; `most`: series that are
+  /// remembered, of each kind.
+  MovedStretch(const Signals& signals, double late_s, double ratio, std::size_t most);
+
+  /// Directions are those that have passed the channels' low-pass, where they are known.
+  const std::vector<actuator::Instant>& at() const { return at_; }
+  const LawSeries& rotor_rad_s2() const { return rotor_rad_s2_; }  ///< Over the ratio.
+
+  std::shared_ptr<const DirectedSeries> drag(const actuator::Effect& effect);
+  std::shared_ptr<const RippleSeries> ripple(const actuator::Effect& effect);
+  /// Of an effect that follows neither direction nor load.
+  std::shared_ptr<const LawSeries> plain(const actuator::Effect& effect);
+  /// Of a friction that has a history; see torque_of_history_Nm().
+  std::shared_ptr<const LawSeries> friction_history(const actuator::Effect& effect);
+  /// Of a lag of the motor's torque.
+  LawSeries lag_history(const actuator::Effect& effect, const LawSeries& motor_Nm);
+
+ private:
+  /// Calls `law` with the effect as it is seen at each sample, and the sample.
+  template <typename Law>
+  void at_every_sample(const actuator::Effect& effect, const Law& law);
+  LawSeries gains_of_waves(double turns_per_rad) const;
+  const LawSeries& speeds_of_parts_rad_s();
+
+  double step_s_, cutoff_Hz_, ratio_;
+  std::optional<LowPass> filter_;
+  std::vector<actuator::Instant> at_;
+  LawSeries rotor_rad_s2_;
+  std::optional<LawSeries> speeds_of_parts_rad_s_;
+  Remembered<actuator::Effect, DirectedSeries> drags_;
+  Remembered<actuator::Effect, RippleSeries> ripples_;
+  Remembered<actuator::Effect, LawSeries> plains_, histories_;
+  Remembered<double, LawSeries> gains_;
+};
+
+}  // namespace torquewright::identification
