@@ -201,7 +201,8 @@ TorqueBalance::TorqueBalance(const Bench& bench, const Signals& signals, std::si
       most_(most),
       moved_(std::min(most, kMostStates)),
       drives_(std::min(most, kMostStates)),
-      loads_(std::min(most, kMostStates)) {}
+      loads_(std::min(most, kMostStates)),
+      lags_(std::min(most, kMostStates)) {}
 
 TorqueBalance::DriveTorque TorqueBalance::drive_torque(const Hypothesis& hypothesis,
                                                        const MovedStretch& moved,
@@ -236,12 +237,13 @@ double TorqueBalance::load_late_s(const Hypothesis& hypothesis, double moved_s) 
 }
 
 LawSeries TorqueBalance::histories(const Actuator& actuator, MovedStretch& moved,
-                                   const LawSeries& motor_Nm) const {
+                                   const std::shared_ptr<const DriveTorque>& drive) {
   LawSeries sum(signals_.size(), 0.0);
   for (const Effect& effect : actuator.effects) {
     if (!has_history(effect)) continue;
     if (effect.kind->follows_torque) {
-      add(moved.lag_history(effect, motor_Nm), sum);
+      const auto lag = [&] { return moved.lag_history(effect, drive->motor_Nm); };
+      add(*lags_.of({effect, drive}, lag), sum);
       continue;
     }
     const auto friction = moved.friction_history(effect);
@@ -288,7 +290,7 @@ TorqueBalance::Terms TorqueBalance::terms(const Hypothesis& hypothesis) {
               sum_of_plain(actuator, Acts::kMotorSideTorque, *moved),
               drag_of(actuator, *moved),
               Ripples(actuator, *moved)};
-  const LawSeries histories_Nm = histories(actuator, *moved, drive->motor_Nm);
+  const LawSeries histories_Nm = histories(actuator, *moved, drive);
   const double inertia_kg_m2 = actuator::reflected_inertia_kg_m2(actuator);
   const LawSeries& acceleration_rad_s2 = moved->rotor_rad_s2();
   for (std::size_t i = 0; i < terms.smooth_Nm.size(); ++i) {

@@ -44,6 +44,8 @@ class TorqueBalance {
     LawSeries motor_Nm;
     LawSeries stated_over_own_slope;  ///< Empty beside a sensor.
   };
+  /// What a lag of the motor's torque follows from, which stays as long as the key.
+  using LagKey = std::pair<actuator::Effect, std::shared_ptr<const DriveTorque>>;
   /// All that the load's torque follows from; no loads where they are the bench's.
   struct LoadKey {
     double late_s;
@@ -60,7 +62,7 @@ class TorqueBalance {
   double load_late_s(const Hypothesis& hypothesis, double moved_s) const;
   Terms terms(const Hypothesis& hypothesis);
   LawSeries histories(const actuator::Actuator& actuator, MovedStretch& moved,
-                      const LawSeries& motor_Nm) const;
+                      const std::shared_ptr<const DriveTorque>& drive);
 
   const Bench& bench_;
   const Signals& signals_;
@@ -68,6 +70,7 @@ class TorqueBalance {
   Remembered<std::pair<double, double>, MovedStretch> moved_;
   Remembered<DriveKey, DriveTorque> drives_;
   Remembered<LoadKey, LawSeries> loads_;
+  Remembered<LagKey, LawSeries> lags_;
 };
 
 /// The same of one hypothesis alone.
