@@ -16,25 +16,32 @@ using actuator::Instant;
 /// rate.
 constexpr int kParts = 4;
 
-/// A rate that is linear in its state: d state / dt = at_rest + slope state.
-struct LinearRate {
-  double at_rest, slope;
-};
-LinearRate rate_at(const actuator::Effect& effect, Instant& at, double state) {
+/// d state / dt where the state is 0.
+double rate_at_rest(const actuator::Effect& effect, Instant& at) {
   at.state = 0.0;
-  const double at_rest = effect.kind->state_rate(effect, at);
-  at.state = std::max(1e-9, std::abs(state));
-  return {at_rest, (effect.kind->state_rate(effect, at) - at_rest) / at.state};
+  return effect.kind->state_rate(effect, at);
 }
 
-/// The state after a step, exact where what it settles to moves evenly.
-double advanced_state(const LinearRate& begin, const LinearRate& end, double state, double step_s) {
-  if (end.slope > -1e-12) {
-    return state + step_s * (0.5 * (begin.at_rest + end.at_rest) + end.slope * state);
-  }
-  const double settled_before = -begin.at_rest / end.slope, settled = -end.at_rest / end.slope;
-  const double behind = -(settled - settled_before) / step_s / end.slope;
-  return settled - behind + (state - settled_before + behind) * std::exp(end.slope * step_s);
+/// Slope of the rate, which is linear in the state, from its value at 0 to a state.
+double slope_of_rate(const actuator::Effect& effect, Instant& at, double at_rest, double state) {
+  at.state = std::max(1e-9, std::abs(state));
+  return (effect.kind->state_rate(effect, at) - at_rest) / at.state;
+}
+
+/// The state after a step, exact where what it settles to moves evenly; `before` and `after`: the
+/// rates at rest at the step's ends.
+double advanced_state(double before, double after, double slope, double state, double step_s) {
+  if (slope > -1e-12) return state + step_s * (0.5 * (before + after) + slope * state);
+  const double settled_before = -before / slope, settled = -after / slope;
+  const double behind = -(settled - settled_before) / step_s / slope;
+  return settled - behind + (state - settled_before + behind) * std::exp(slope * step_s);
+}
+
+/// The same where that does not move.
+double advanced_state(double at_rest, double slope, double state, double step_s) {
+  if (slope > -1e-12) return state + step_s * (at_rest + slope * state);
+  const double settled = -at_rest / slope;
+  return settled + (state - settled) * std::exp(slope * step_s);
 }
 
 /// Where a signal passes at the beginning of a step, between its parts, and at its end.
@@ -60,43 +67,81 @@ AtParts at_parts(std::size_t step, std::size_t samples, const ValueAt& value_at)
   return values;
 }
 
-/// The effect's torque, at every part of every step. Friction follows the motion alone, a lag the
-/// motor's torque.
-std::vector<double> torque_at_parts_Nm(const actuator::Effect& effect,
-                                       const std::vector<Instant>& at,
-                                       const std::vector<double>& speeds_rad_s,
-                                       const std::vector<double>& motor_Nm, double step_s) {
-  const std::size_t n = at.size();
-  const double part_s = step_s / kParts;
-  const bool is_friction = !effect.kind->follows_torque;
+/// Where the history of an effect stands, through the steps of a stretch.
+class History {
+ public:
+  History(const actuator::Effect& effect, double state, double part_s)
+      : effect_(effect), state_(state), part_s_(part_s) {}
+
+  double torque_Nm(Instant& now) const {
+    now.state = state_;
+    return effect_.kind->law(effect_, now);
+  }
+
+  /// Friction, over a part of a step in which the speed of `now` does not change.
+  void follow_motion(Instant& now) {
+    const double at_rest = rate_at_rest(effect_, now);
+    const double slope = slope_of_rate(effect_, now, at_rest, state_);
+    state_ = advanced_state(at_rest, slope, state_, part_s_);
+  }
+
+  /// A lag, over a part at whose end the input is that of `now`. `before`: the rate at rest at its
+  /// beginning, which becomes that at its end.
+  void follow_torque(Instant& now, double& before) {
+    const double after = rate_at_rest(effect_, now);
+    const double slope = slope_of_rate(effect_, now, after, state_);
+    state_ = advanced_state(before, after, slope, state_, part_s_);
+    before = after;
+  }
+
+ private:
+  const actuator::Effect& effect_;
+  double state_, part_s_;
+};
+
+/// Torque at every part of every step.
+std::vector<double> friction_at_parts_Nm(const actuator::Effect& effect,
+                                         const std::vector<Instant>& at,
+                                         const std::vector<double>& speeds_rad_s, double part_s) {
+  History history(effect, 0.0, part_s);
   std::vector<double> torque_Nm;
-  torque_Nm.reserve(n * kParts);
-  double state = is_friction ? 0.0 : motor_Nm.front();
-  Instant now = at.front();
-  const auto add = [&](double input_Nm) {
-    now.state = state;
-    now.input = input_Nm;
-    torque_Nm.push_back(effect.kind->law(effect, now));
-  };
-  for (std::size_t i = 0; i + 1 < n; ++i) {
-    now = at[i];
-    AtParts input{};
-    if (!is_friction) input = at_parts(i, n, [&](std::size_t sample) { return motor_Nm[sample]; });
+  torque_Nm.reserve(speeds_rad_s.size() + 1);
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+    Instant now = at[i];
     for (std::size_t part = 0; part < kParts; ++part) {
-      add(input[part]);
+      torque_Nm.push_back(history.torque_Nm(now));
       now.speed_rad_s = speeds_rad_s[i * kParts + part];
       now.direction = now.speed_rad_s > 0.0 ? 1.0 : now.speed_rad_s < 0.0 ? -1.0 : 0.0;
-      const LinearRate begin = rate_at(effect, now, state);
-      LinearRate end = begin;
-      if (!is_friction) {
-        now.input = input[part + 1];
-        end = rate_at(effect, now, state);
-      }
-      state = advanced_state(begin, end, state, part_s);
+      history.follow_motion(now);
     }
   }
-  now = at.back();
-  add(is_friction ? 0.0 : motor_Nm.back());
+  Instant last = at.back();
+  torque_Nm.push_back(history.torque_Nm(last));
+  return torque_Nm;
+}
+
+/// Torque at every sample.
+std::vector<double> lag_at_samples_Nm(const actuator::Effect& effect,
+                                      const std::vector<Instant>& at,
+                                      const std::vector<double>& motor_Nm, double part_s) {
+  History history(effect, motor_Nm.front(), part_s);
+  std::vector<double> torque_Nm;
+  torque_Nm.reserve(at.size());
+  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
+    Instant now = at[i];
+    const AtParts input =
+        at_parts(i, at.size(), [&](std::size_t sample) { return motor_Nm[sample]; });
+    now.input = input.front();
+    torque_Nm.push_back(history.torque_Nm(now));
+    double rate = rate_at_rest(effect, now);
+    for (std::size_t part = 0; part < kParts; ++part) {
+      now.input = input[part + 1];
+      history.follow_torque(now, rate);
+    }
+  }
+  Instant last = at.back();
+  last.input = motor_Nm.back();
+  torque_Nm.push_back(history.torque_Nm(last));
   return torque_Nm;
 }
 
@@ -123,18 +168,23 @@ std::vector<double> speeds_of_parts_rad_s(const std::vector<Instant>& at, double
   return speeds_rad_s;
 }
 
-std::vector<double> torque_of_history_Nm(const actuator::Effect& effect,
-                                         const std::vector<Instant>& at,
-                                         const std::vector<double>& speeds_rad_s,
-                                         const std::vector<double>& motor_Nm, double step_s,
-                                         double cutoff_Hz) {
+std::vector<double> friction_history_Nm(const actuator::Effect& effect,
+                                        const std::vector<Instant>& at,
+                                        const std::vector<double>& speeds_rad_s, double step_s,
+                                        double cutoff_Hz) {
   std::vector<double> torque_Nm(at.size(), 0.0);
   if (at.empty() || !(step_s > 0.0) || is_neutral(effect)) return torque_Nm;
-  std::vector<double> parts_Nm = torque_at_parts_Nm(effect, at, speeds_rad_s, motor_Nm, step_s);
-  const bool is_friction = !effect.kind->follows_torque;
-  if (is_friction && cutoff_Hz > 0.0) LowPass(cutoff_Hz, kParts / step_s).apply(parts_Nm);
+  std::vector<double> parts_Nm = friction_at_parts_Nm(effect, at, speeds_rad_s, step_s / kParts);
+  if (cutoff_Hz > 0.0) LowPass(cutoff_Hz, kParts / step_s).apply(parts_Nm);
   for (std::size_t i = 0; i < at.size(); ++i) torque_Nm[i] = parts_Nm[i * kParts];
   return torque_Nm;
+}
+
+std::vector<double> lag_history_Nm(const actuator::Effect& effect, const std::vector<Instant>& at,
+                                   const std::vector<double>& motor_Nm, double step_s) {
+  const bool is_nothing = at.empty() || !(step_s > 0.0) || is_neutral(effect);
+  return is_nothing ? std::vector<double>(at.size(), 0.0)
+                    : lag_at_samples_Nm(effect, at, motor_Nm, step_s / kParts);
 }
 
 }  // namespace torquewright::identification

@@ -66,9 +66,15 @@ std::shared_ptr<const DirectedSeries> MovedStretch::drag(const Effect& effect) {
       Instant at = at_[i];
       const double forward = 0.5 * (1.0 + at.direction);
       at.direction = 1.0;
-      if (forward != 0.0) series.forward[i] = seen.kind->law(seen, at);
+      // Waves of friction oppose both directions alike.
+      const bool is_wave = seen.kind->has_harmonics;
+      if (is_wave || forward != 0.0) series.forward[i] = seen.kind->law(seen, at);
       at.direction = -1.0;
-      if (forward != 1.0) series.backward[i] = seen.kind->law(seen, at);
+      if (is_wave) {
+        series.backward[i] = -series.forward[i];
+      } else if (forward != 1.0) {
+        series.backward[i] = seen.kind->law(seen, at);
+      }
     });
     return series;
   });
@@ -79,10 +85,9 @@ std::shared_ptr<const RippleSeries> MovedStretch::ripple(const Effect& effect) {
     RippleSeries series{LawSeries(at_.size()), LawSeries(at_.size())};
     at_every_sample(effect, [&](const Effect& seen, std::size_t i) {
       Instant at = at_[i];
-      at.load_torque_Nm = 0.0;
-      series.alone[i] = seen.kind->law(seen, at);
       at.load_torque_Nm = 1.0;
       series.loaded[i] = seen.kind->law(seen, at);
+      series.alone[i] = effect.proportional ? 0.0 * series.loaded[i] : series.loaded[i];
     });
     return series;
   });
@@ -100,12 +105,8 @@ std::shared_ptr<const LawSeries> MovedStretch::plain(const Effect& effect) {
 
 std::shared_ptr<const LawSeries> MovedStretch::friction_history(const Effect& effect) {
   return histories_.of(effect, [&] {
-    return torque_of_history_Nm(effect, at_, speeds_of_parts_rad_s(), {}, step_s_, cutoff_Hz_);
+    return friction_history_Nm(effect, at_, speeds_of_parts_rad_s(), step_s_, cutoff_Hz_);
   });
-}
-
-LawSeries MovedStretch::lag_history(const Effect& effect, const LawSeries& motor_Nm) {
-  return torque_of_history_Nm(effect, at_, speeds_of_parts_rad_s(), motor_Nm, step_s_, 0.0);
 }
 
 template <typename Law>

@@ -43,10 +43,8 @@ class MovedStretch {
   std::shared_ptr<const RippleSeries> ripple(const actuator::Effect& effect);
   /// Of an effect that follows neither direction nor load.
   std::shared_ptr<const LawSeries> plain(const actuator::Effect& effect);
-  /// Of a friction that has a history; see torque_of_history_Nm().
+  /// Of a friction that has a history; see friction_history_Nm().
   std::shared_ptr<const LawSeries> friction_history(const actuator::Effect& effect);
-  /// Of a lag of the motor's torque.
-  LawSeries lag_history(const actuator::Effect& effect, const LawSeries& motor_Nm);
 
  private:
   /// Calls `law` with the effect as it is seen at each sample, and the sample.

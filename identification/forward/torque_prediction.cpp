@@ -118,16 +118,16 @@ LawSeries sum_of_plain(const Actuator& actuator, Acts acts, MovedStretch& moved)
   return sum;
 }
 
-/// Of all drag; 1 where nothing changes it.
-LawSeries drag_factors(const Actuator& actuator, MovedStretch& moved) {
-  LawSeries factor(moved.at().size(), 1.0);
+/// Multiplies by the factor of every effect on all drag.
+void times_drag_factor(const Actuator& actuator, MovedStretch& moved, LawSeries& drag) {
   const std::vector<const Effect*> effects = effects_acting(actuator, Acts::kDragFactor);
+  if (effects.empty()) return;
+  LawSeries factor(drag.size(), 1.0);
   for (const Effect* each : effects) {
     const auto series = moved.plain(*each);
     for (std::size_t i = 0; i < factor.size(); ++i) factor[i] *= (*series)[i];
   }
-  for (double& each : factor) each = std::max(0.0, each);
-  return factor;
+  for (std::size_t i = 0; i < factor.size(); ++i) drag[i] *= std::max(0.0, factor[i]);
 }
 
 /// Friction that does not depend on load, in both directions.
@@ -139,11 +139,8 @@ DirectedSeries drag_of(const Actuator& actuator, MovedStretch& moved) {
     add(series->forward, drag.forward);
     add(series->backward, drag.backward);
   }
-  const LawSeries factor = drag_factors(actuator, moved);
-  for (LawSeries* each : {&drag.forward, &drag.backward}) {
-    for (std::size_t i = 0; i < n; ++i)
-      (*each)[i] = (*each)[i] == 0.0 ? 0.0 : (*each)[i] * factor[i];
-  }
+  times_drag_factor(actuator, moved, drag.forward);
+  times_drag_factor(actuator, moved, drag.backward);
   return drag;
 }
 
@@ -242,13 +239,15 @@ LawSeries TorqueBalance::histories(const Actuator& actuator, MovedStretch& moved
   for (const Effect& effect : actuator.effects) {
     if (!has_history(effect)) continue;
     if (effect.kind->follows_torque) {
-      const auto lag = [&] { return moved.lag_history(effect, drive->motor_Nm); };
+      const auto lag = [&] {
+        return lag_history_Nm(effect, moved.at(), drive->motor_Nm, signals_.step_s);
+      };
       add(*lags_.of({effect, drive}, lag), sum);
       continue;
     }
-    const auto friction = moved.friction_history(effect);
-    const LawSeries factor = drag_factors(actuator, moved);
-    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += factor[i] * (*friction)[i];
+    LawSeries friction = *moved.friction_history(effect);
+    times_drag_factor(actuator, moved, friction);
+    add(friction, sum);
   }
   return sum;
 }
