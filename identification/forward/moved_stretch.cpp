@@ -55,8 +55,11 @@ MovedStretch::MovedStretch(const Signals& signals, double late_s, double ratio, 
     advance_motion(at_, late_s, step_s_);
     if (!rotor_rad_s2_.empty()) rotor_rad_s2_ = advanced(rotor_rad_s2_, late_s, step_s_);
   }
-  if (!rotor_rad_s2_.empty()) return;
-  for (const Instant& at : at_) rotor_rad_s2_.push_back(at.acceleration_rad_s2);
+  const bool has_rotor = !rotor_rad_s2_.empty();
+  for (const Instant& at : at_) {
+    if (!has_rotor) rotor_rad_s2_.push_back(at.acceleration_rad_s2);
+    forward_shares_.push_back(0.5 * (1.0 + at.direction));
+  }
 }
 
 std::shared_ptr<const DirectedSeries> MovedStretch::drag(const Effect& effect) {
@@ -64,7 +67,7 @@ std::shared_ptr<const DirectedSeries> MovedStretch::drag(const Effect& effect) {
     DirectedSeries series{LawSeries(at_.size(), 0.0), LawSeries(at_.size(), 0.0)};
     at_every_sample(effect, [&](const Effect& seen, std::size_t i) {
       Instant at = at_[i];
-      const double forward = 0.5 * (1.0 + at.direction);
+      const double forward = forward_shares_[i];
       at.direction = 1.0;
       // Waves of friction oppose both directions alike.
       const bool is_wave = seen.kind->has_harmonics;
@@ -80,14 +83,13 @@ std::shared_ptr<const DirectedSeries> MovedStretch::drag(const Effect& effect) {
   });
 }
 
-std::shared_ptr<const RippleSeries> MovedStretch::ripple(const Effect& effect) {
+std::shared_ptr<const LawSeries> MovedStretch::ripple(const Effect& effect) {
   return ripples_.of(effect, [&] {
-    RippleSeries series{LawSeries(at_.size()), LawSeries(at_.size())};
+    LawSeries series(at_.size());
     at_every_sample(effect, [&](const Effect& seen, std::size_t i) {
       Instant at = at_[i];
       at.load_torque_Nm = 1.0;
-      series.loaded[i] = seen.kind->law(seen, at);
-      series.alone[i] = effect.proportional ? 0.0 * series.loaded[i] : series.loaded[i];
+      series[i] = seen.kind->law(seen, at);
     });
     return series;
   });

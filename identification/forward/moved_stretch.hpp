@@ -20,11 +20,6 @@ struct DirectedSeries {
   LawSeries forward, backward;
 };
 
-/// Torque at the output by its angle: without a load, and under a load of 1 Nm.
-struct RippleSeries {
-  LawSeries alone, loaded;
-};
-
 /// The motion of a stretch as it was before its channels were late, and what laws that follow it
 /// alone make of it. Most hypotheses of a search differ in one effect: series of the others are
 /// remembered. Waves are as large as the signals' low-pass leaves them, and nothing where they turn
@@ -38,9 +33,12 @@ class MovedStretch {
   /// Directions are those that have passed the channels' low-pass, where they are known.
   const std::vector<actuator::Instant>& at() const { return at_; }
   const LawSeries& rotor_rad_s2() const { return rotor_rad_s2_; }  ///< Over the ratio.
+  /// Shares of the samples' times in which it turns forward.
+  const LawSeries& forward_shares() const { return forward_shares_; }
 
   std::shared_ptr<const DirectedSeries> drag(const actuator::Effect& effect);
-  std::shared_ptr<const RippleSeries> ripple(const actuator::Effect& effect);
+  /// Of an effect at the output, under a load of 1 Nm.
+  std::shared_ptr<const LawSeries> ripple(const actuator::Effect& effect);
   /// Of an effect that follows neither direction nor load.
   std::shared_ptr<const LawSeries> plain(const actuator::Effect& effect);
   /// Of a friction that has a history; see friction_history_Nm().
@@ -56,11 +54,10 @@ class MovedStretch {
   double step_s_, cutoff_Hz_, ratio_;
   std::optional<LowPass> filter_;
   std::vector<actuator::Instant> at_;
-  LawSeries rotor_rad_s2_;
+  LawSeries rotor_rad_s2_, forward_shares_;
   std::optional<LawSeries> speeds_of_parts_rad_s_;
   Remembered<actuator::Effect, DirectedSeries> drags_;
-  Remembered<actuator::Effect, RippleSeries> ripples_;
-  Remembered<actuator::Effect, LawSeries> plains_, histories_;
+  Remembered<actuator::Effect, LawSeries> ripples_, plains_, histories_;
   Remembered<double, LawSeries> gains_;
 };
 

@@ -7,7 +7,6 @@
 #include "actuator/region/gear_losses.hpp"
 #include "actuator/region/torque_at.hpp"
 #include "identification/forward/backlash_residual.hpp"
-#include "identification/forward/drive_side.hpp"
 #include "identification/forward/histories.hpp"
 #include "identification/preparation/balance.hpp"
 #include "identification/signals/load_model.hpp"
@@ -47,29 +46,18 @@ struct Mesh {
   explicit Mesh(const Actuator& actuator)
       : driving(std::min(kMostGain, actuator::after_mesh_Nm(actuator, 1.0, 1.0))),
         driven(std::min(kMostGain, actuator::after_mesh_Nm(actuator, 1.0, -1.0))) {}
-  double after(double before_Nm, double direction) const {
-    return before_Nm * (before_Nm * direction > 0.0 ? driving : driven);
-  }
-  double before(double after_Nm, double direction) const {
-    return after_Nm / (after_Nm * direction > 0.0 ? driving : driven);
-  }
+  double forward_factor(double torque_Nm) const { return torque_Nm > 0.0 ? driving : driven; }
+  double backward_factor(double torque_Nm) const { return torque_Nm < 0.0 ? driving : driven; }
 };
 
-/// The mean over both directions by their shares of the instant's time.
-template <typename InDirection>
-double over_directions(double direction, const InDirection& in_direction) {
-  const double forward = 0.5 * (1.0 + direction);
-  double sum = 0.0;
-  if (forward != 0.0) sum += forward * in_direction(1.0);
-  if (forward != 1.0) sum += (1.0 - forward) * in_direction(-1.0);
-  return sum;
-}
-
-/// What gravity adds on the output beyond the rig's model.
-double imbalance_Nm(const Hypothesis& hypothesis, double angle_rad) {
-  if (hypothesis.imbalance_sine_Nm == 0.0 && hypothesis.imbalance_cosine_Nm == 0.0) return 0.0;
-  return hypothesis.imbalance_sine_Nm * std::sin(angle_rad) +
-         hypothesis.imbalance_cosine_Nm * std::cos(angle_rad);
+/// Subtracts what gravity adds on the output beyond the rig's model.
+void subtract_imbalance(const Hypothesis& hypothesis, const MovedStretch& moved, LawSeries& load) {
+  if (hypothesis.imbalance_sine_Nm == 0.0 && hypothesis.imbalance_cosine_Nm == 0.0) return;
+  for (std::size_t i = 0; i < load.size(); ++i) {
+    const double angle_rad = moved.at()[i].output_angle_rad;
+    load[i] -= hypothesis.imbalance_sine_Nm * std::sin(angle_rad) +
+               hypothesis.imbalance_cosine_Nm * std::cos(angle_rad);
+  }
 }
 
 /// Removes what a gap between motor and output does, where one is supposed and can be felt.
@@ -86,20 +74,6 @@ void subtract_gap(const Bench& bench, const Hypothesis& hypothesis, const Signal
   }
 }
 
-/// What changes the motor's torque: factors of its constant, and what a winding's current follows.
-bool acts_on_motor(const Effect& effect) {
-  switch (effect.kind->acts) {
-    case Acts::kTorqueFactor:
-    case Acts::kFluxFactor:
-    case Acts::kResistanceFactor:
-    case Acts::kWindingVoltage:
-    case Acts::kBusVoltage:
-      return true;
-    default:
-      return false;
-  }
-}
-
 void add(const LawSeries& series, LawSeries& sum) {
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += series[i];
 }
@@ -110,12 +84,6 @@ std::vector<const Effect*> effects_acting(const Actuator& actuator, Acts acts) {
     if (each.kind->acts == acts) effects.push_back(&each);
   }
   return effects;
-}
-
-LawSeries sum_of_plain(const Actuator& actuator, Acts acts, MovedStretch& moved) {
-  LawSeries sum(moved.at().size(), 0.0);
-  for (const Effect* each : effects_acting(actuator, acts)) add(*moved.plain(*each), sum);
-  return sum;
 }
 
 /// Multiplies by the factor of every effect on all drag.
@@ -144,188 +112,162 @@ DirectedSeries drag_of(const Actuator& actuator, MovedStretch& moved) {
   return drag;
 }
 
-}  // namespace
-
-/// What of the torque at the output repeats with its angle, in proportion to the load or not.
-class TorqueBalance::Ripples {
+/// What of the torque at the output repeats with its angle, alone or in proportion to the load.
+class Ripples {
  public:
   Ripples(const Actuator& actuator, MovedStretch& moved) {
     for (const Effect* each : effects_acting(actuator, Acts::kOutputTorque)) {
       parts_.push_back({moved.ripple(*each), each->proportional});
     }
   }
-  double at_Nm(std::size_t i, double load_Nm) const {
-    double sum = 0.0;
+  bool empty() const { return parts_.empty(); }
+
+  LawSeries under(const LawSeries& load_Nm) const {
+    LawSeries sum(load_Nm.size(), 0.0);
     for (const Part& each : parts_) {
-      sum += each.is_proportional ? each.series->loaded[i] * load_Nm : each.series->alone[i];
+      for (std::size_t i = 0; i < sum.size(); ++i) {
+        const double torque_Nm = (*each.series)[i];
+        sum[i] += each.is_proportional ? torque_Nm * load_Nm[i] : torque_Nm;
+      }
     }
     return sum;
   }
-  bool empty() const { return parts_.empty(); }
-  double alone_Nm(std::size_t i) const {
-    double sum = 0.0;
-    for (const Part& each : parts_) sum += each.series->alone[i];
-    return sum;
-  }
-  /// Under a load of 1 Nm.
-  double loaded_Nm(std::size_t i) const {
-    double sum = 0.0;
-    for (const Part& each : parts_) sum += each.series->loaded[i];
-    return sum;
+
+  /// The load that makes such a torque together with the ripple under it and an offset.
+  void take_from(LawSeries& torque_Nm, double offset_Nm) const {
+    if (parts_.empty()) {
+      for (double& each : torque_Nm) each -= offset_Nm;
+      return;
+    }
+    const std::size_t n = torque_Nm.size();
+    const LawSeries alone_Nm = under(LawSeries(n, 0.0)), loaded_Nm = under(LawSeries(n, 1.0));
+    for (std::size_t i = 0; i < n; ++i) {
+      torque_Nm[i] =
+          (torque_Nm[i] - alone_Nm[i] - offset_Nm) / (1.0 + (loaded_Nm[i] - alone_Nm[i]));
+    }
   }
 
  private:
   struct Part {
-    std::shared_ptr<const RippleSeries> series;
+    std::shared_ptr<const LawSeries> series;
     bool is_proportional;
   };
   std::vector<Part> parts_;
 };
 
-/// What a hypothesis makes of the stretch, term by term.
-struct TorqueBalance::Terms {
-  std::shared_ptr<const MovedStretch> moved;
-  std::shared_ptr<const DriveTorque> drive;
-  std::shared_ptr<const LawSeries> load_Nm;
-  LawSeries smooth_Nm;  ///< Before drag and mesh.
-  DirectedSeries drag_Nm;
-  Ripples ripples;
-};
+/// Through the mesh to the output, the mean over both directions by their shares of the time.
+LawSeries torque_on_load(const Mesh& mesh, const LawSeries& forward_shares,
+                         const LawSeries& smooth_Nm, const DirectedSeries& drag_Nm,
+                         const Ripples& ripples) {
+  const std::size_t n = smooth_Nm.size();
+  DirectedSeries after_Nm{LawSeries(n), LawSeries(n)};
+  for (std::size_t i = 0; i < n; ++i) {
+    const double forward_Nm = smooth_Nm[i] + drag_Nm.forward[i];
+    const double backward_Nm = smooth_Nm[i] + drag_Nm.backward[i];
+    after_Nm.forward[i] = forward_Nm * mesh.forward_factor(forward_Nm);
+    after_Nm.backward[i] = backward_Nm * mesh.backward_factor(backward_Nm);
+  }
+  if (!ripples.empty()) {
+    add(ripples.under(after_Nm.forward), after_Nm.forward);
+    add(ripples.under(after_Nm.backward), after_Nm.backward);
+  }
+  LawSeries mean_Nm(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double forward = forward_shares[i];
+    mean_Nm[i] = forward * after_Nm.forward[i] + (1.0 - forward) * after_Nm.backward[i];
+  }
+  return mean_Nm;
+}
+
+/// What a load needs before the mesh and drag, in the same mean.
+LawSeries torque_for_load(const Mesh& mesh, const LawSeries& forward_shares,
+                          const LawSeries& load_Nm, const DirectedSeries& drag_Nm) {
+  LawSeries mean_Nm(load_Nm.size());
+  for (std::size_t i = 0; i < mean_Nm.size(); ++i) {
+    const double forward = forward_shares[i];
+    const double ahead_Nm = load_Nm[i] / mesh.forward_factor(load_Nm[i]) - drag_Nm.forward[i];
+    const double back_Nm = load_Nm[i] / mesh.backward_factor(load_Nm[i]) - drag_Nm.backward[i];
+    mean_Nm[i] = forward * ahead_Nm + (1.0 - forward) * back_Nm;
+  }
+  return mean_Nm;
+}
+
+}  // namespace
 
 TorqueBalance::TorqueBalance(const Bench& bench, const Signals& signals, std::size_t most)
     : bench_(bench),
       signals_(signals),
       most_(most),
+      motor_torques_(bench, signals, std::min(most, kMostStates)),
       moved_(std::min(most, kMostStates)),
-      drives_(std::min(most, kMostStates)),
-      loads_(std::min(most, kMostStates)),
-      lags_(std::min(most, kMostStates)) {}
+      loads_(std::min(most, kMostStates)) {}
 
-TorqueBalance::DriveTorque TorqueBalance::drive_torque(const Hypothesis& hypothesis,
-                                                       const MovedStretch& moved,
-                                                       double drive_late_s) const {
-  const std::size_t n = signals_.size();
-  std::vector<double> channel(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    channel[i] = bench_.drive == Drive::kVoltage ? signals_.voltage_V[i] : signals_.at[i].current_A;
+std::shared_ptr<const LawSeries> TorqueBalance::load_torque(const Hypothesis& hypothesis,
+                                                            double moved_s) {
+  const bool is_sensor = bench_.load_side == LoadSide::kSensor;
+  const bool is_as_stated = is_sensor || is_same_load(hypothesis.rig, *bench_.rig);
+  LoadKey key{is_sensor ? delay_of_s(hypothesis, bench_.load_channel) : moved_s, {}, {}};
+  if (!is_as_stated) {
+    key.load = {hypothesis.rig.load};
+    key.loads = hypothesis.rig.loads;
   }
-  if (drive_late_s != 0.0) channel = advanced(channel, drive_late_s, signals_.step_s);
-  const DriveSide side(bench_, hypothesis, signals_, channel, moved.at(), drive_late_s);
-  DriveTorque torque;
-  for (std::size_t i = 0; i < n; ++i) {
-    Instant at = moved.at()[i];
-    torque.motor_Nm.push_back(side.motor_Nm(i, at));
-    if (bench_.load_side != LoadSide::kSensor)
-      torque.stated_over_own_slope.push_back(side.stated_over_own_slope(i, at));
-  }
-  return torque;
+  return loads_.of(key, [&] {
+    LawSeries load_Nm = is_as_stated ? signals_.load_side_Nm
+                                     : model_load_Nm(hypothesis.rig, bench_.joint, signals_);
+    return key.late_s != 0.0 ? advanced(load_Nm, key.late_s, signals_.step_s) : load_Nm;
+  });
 }
 
-LawSeries TorqueBalance::load_torque(const Hypothesis& hypothesis, double late_s,
-                                     bool is_as_stated) const {
-  LawSeries load_Nm =
-      is_as_stated ? signals_.load_side_Nm : model_load_Nm(hypothesis.rig, bench_.joint, signals_);
-  return late_s != 0.0 ? advanced(load_Nm, late_s, signals_.step_s) : load_Nm;
-}
-
-double TorqueBalance::load_late_s(const Hypothesis& hypothesis, double moved_s) const {
-  if (bench_.load_side == LoadSide::kModel) return moved_s;
-  return bench_.load_side == LoadSide::kSensor ? delay_of_s(hypothesis, bench_.load_channel) : 0.0;
-}
-
-LawSeries TorqueBalance::histories(const Actuator& actuator, MovedStretch& moved,
-                                   const std::shared_ptr<const DriveTorque>& drive) {
-  LawSeries sum(signals_.size(), 0.0);
+/// Motor, lag and histories, cogging, and what accelerates the rotor.
+LawSeries TorqueBalance::before_drag(const Hypothesis& hypothesis, MovedStretch& moved,
+                                     const std::shared_ptr<const MotorTorque>& motor) {
+  const Actuator& actuator = hypothesis.actuator;
+  LawSeries histories_Nm(signals_.size(), 0.0), periodic_Nm = histories_Nm;
   for (const Effect& effect : actuator.effects) {
+    if (effect.kind->acts == Acts::kMotorSideTorque) add(*moved.plain(effect), periodic_Nm);
     if (!has_history(effect)) continue;
     if (effect.kind->follows_torque) {
-      const auto lag = [&] {
-        return lag_history_Nm(effect, moved.at(), drive->motor_Nm, signals_.step_s);
-      };
-      add(*lags_.of({effect, drive}, lag), sum);
+      add(*motor_torques_.lag(effect, motor, moved), histories_Nm);
       continue;
     }
-    LawSeries friction = *moved.friction_history(effect);
-    times_drag_factor(actuator, moved, friction);
-    add(friction, sum);
+    LawSeries friction_Nm = *moved.friction_history(effect);
+    times_drag_factor(actuator, moved, friction_Nm);
+    add(friction_Nm, histories_Nm);
   }
-  return sum;
-}
-
-TorqueBalance::Terms TorqueBalance::terms(const Hypothesis& hypothesis) {
-  const Actuator& actuator = hypothesis.actuator;
-  const double moved_s = delay_of_motion_s(hypothesis);
-  const double drive_late_s =
-      delay_of_s(hypothesis, bench_.drive_channel) + hypothesis.log.instant_s;
-  const double ratio = actuator.transmission.ratio;
-  const std::shared_ptr<MovedStretch> moved =
-      moved_.of({moved_s, ratio}, [&] { return MovedStretch(signals_, moved_s, ratio, most_); });
-  DriveKey key{moved_s,
-               drive_late_s,
-               hypothesis.winding_late_s,
-               hypothesis.log.current_offset_A,
-               hypothesis.log.positive_current_gain,
-               hypothesis.log.negative_current_gain,
-               actuator.motor,
-               actuator.drive,
-               actuator.transmission,
-               {}};
-  std::copy_if(actuator.effects.begin(), actuator.effects.end(), std::back_inserter(key.effects),
-               acts_on_motor);
-  const auto drive =
-      drives_.of(key, [&] { return drive_torque(hypothesis, *moved, drive_late_s); });
-  const bool is_as_stated =
-      bench_.load_side == LoadSide::kSensor || is_same_load(hypothesis.rig, *bench_.rig);
-  LoadKey load_key{load_late_s(hypothesis, moved_s), {}, {}};
-  if (!is_as_stated) {
-    load_key.load = {hypothesis.rig.load};
-    load_key.loads = hypothesis.rig.loads;
-  }
-  const auto load =
-      loads_.of(load_key, [&] { return load_torque(hypothesis, load_key.late_s, is_as_stated); });
-  Terms terms{moved,
-              drive,
-              load,
-              sum_of_plain(actuator, Acts::kMotorSideTorque, *moved),
-              drag_of(actuator, *moved),
-              Ripples(actuator, *moved)};
-  const LawSeries histories_Nm = histories(actuator, *moved, drive);
   const double inertia_kg_m2 = actuator::reflected_inertia_kg_m2(actuator);
-  const LawSeries& acceleration_rad_s2 = moved->rotor_rad_s2();
-  for (std::size_t i = 0; i < terms.smooth_Nm.size(); ++i) {
-    terms.smooth_Nm[i] = drive->motor_Nm[i] + histories_Nm[i] + terms.smooth_Nm[i] -
-                         inertia_kg_m2 * acceleration_rad_s2[i];
+  LawSeries torque_Nm(signals_.size());
+  for (std::size_t i = 0; i < torque_Nm.size(); ++i) {
+    torque_Nm[i] = motor->motor_Nm[i] + histories_Nm[i] + periodic_Nm[i] -
+                   inertia_kg_m2 * moved.rotor_rad_s2()[i];
   }
-  return terms;
+  return torque_Nm;
 }
 
 std::vector<double> TorqueBalance::residual_Nm(const Hypothesis& hypothesis) {
-  const Terms of = terms(hypothesis);
-  const Mesh mesh(hypothesis.actuator);
-  const bool is_sensor = bench_.load_side == LoadSide::kSensor;
+  const Actuator& actuator = hypothesis.actuator;
+  const double moved_s = delay_of_motion_s(hypothesis), ratio = actuator.transmission.ratio;
+  const std::shared_ptr<MovedStretch> moved =
+      moved_.of({moved_s, ratio}, [&] { return MovedStretch(signals_, moved_s, ratio, most_); });
+  const auto motor = motor_torques_.of(hypothesis, *moved, moved_s);
+  const LawSeries smooth_Nm = before_drag(hypothesis, *moved, motor);
+  const DirectedSeries drag_Nm = drag_of(actuator, *moved);
+  const Ripples ripples(actuator, *moved);
+  const Mesh mesh(actuator);
+  LawSeries balance_Nm = *load_torque(hypothesis, moved_s);
   const double offset_Nm = hypothesis.log.torque_offset_Nm;
-  std::vector<double> balance_Nm(signals_.size());
-  for (std::size_t i = 0; i < balance_Nm.size(); ++i) {
-    const Instant& at = of.moved->at()[i];
-    const double imbalance = imbalance_Nm(hypothesis, at.output_angle_rad);
-    const auto drag_Nm = [&](double direction) {
-      return direction > 0.0 ? of.drag_Nm.forward[i] : of.drag_Nm.backward[i];
-    };
-    if (is_sensor) {
-      const double predicted_Nm = over_directions(at.direction, [&](double direction) {
-        const double after_Nm = mesh.after(of.smooth_Nm[i] + drag_Nm(direction), direction);
-        return after_Nm + of.ripples.at_Nm(i, after_Nm);
-      });
-      balance_Nm[i] = (*of.load_Nm)[i] - offset_Nm - imbalance - predicted_Nm;
-      continue;
+  if (bench_.load_side == LoadSide::kSensor) {
+    for (double& each : balance_Nm) each -= offset_Nm;
+    subtract_imbalance(hypothesis, *moved, balance_Nm);
+    const LawSeries predicted_Nm =
+        torque_on_load(mesh, moved->forward_shares(), smooth_Nm, drag_Nm, ripples);
+    for (std::size_t i = 0; i < balance_Nm.size(); ++i) balance_Nm[i] -= predicted_Nm[i];
+  } else {
+    subtract_imbalance(hypothesis, *moved, balance_Nm);
+    ripples.take_from(balance_Nm, offset_Nm);
+    const LawSeries needed_Nm = torque_for_load(mesh, moved->forward_shares(), balance_Nm, drag_Nm);
+    for (std::size_t i = 0; i < balance_Nm.size(); ++i) {
+      balance_Nm[i] = (needed_Nm[i] - smooth_Nm[i]) * motor->stated_over_own_slope[i];
     }
-    const double alone_Nm = of.ripples.alone_Nm(i);
-    const double load_Nm = ((*of.load_Nm)[i] - imbalance - alone_Nm - offset_Nm) /
-                           (1.0 + (of.ripples.loaded_Nm(i) - alone_Nm));
-    const double needed_Nm = over_directions(at.direction, [&](double direction) {
-      return mesh.before(load_Nm, direction) - drag_Nm(direction);
-    });
-    balance_Nm[i] = (needed_Nm - of.smooth_Nm[i]) * of.drive->stated_over_own_slope[i];
   }
   subtract_gap(bench_, hypothesis, signals_, balance_Nm);
   return balance_Nm;

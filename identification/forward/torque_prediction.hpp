@@ -2,11 +2,13 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "identification/forward/hypothesis.hpp"
+#include "identification/forward/motor_torques.hpp"
 #include "identification/forward/moved_stretch.hpp"
 #include "identification/forward/remembered.hpp"
 #include "identification/signals/bench.hpp"
@@ -30,22 +32,6 @@ class TorqueBalance {
   std::vector<double> residual_Nm(const Hypothesis& hypothesis);
 
  private:
-  /// All that the motor's torque follows from.
-  struct DriveKey {
-    double moved_s, drive_late_s, winding_late_s;
-    double current_offset_A, positive_current_gain, negative_current_gain;
-    actuator::Motor motor;
-    actuator::Drive drive;
-    actuator::Transmission transmission;
-    std::vector<actuator::Effect> effects;
-    friend bool operator==(const DriveKey&, const DriveKey&) = default;
-  };
-  struct DriveTorque {
-    LawSeries motor_Nm;
-    LawSeries stated_over_own_slope;  ///< Empty beside a sensor.
-  };
-  /// What a lag of the motor's torque follows from, which stays as long as the key.
-  using LagKey = std::pair<actuator::Effect, std::shared_ptr<const DriveTorque>>;
   /// All that the load's torque follows from; no loads where they are the bench's.
   struct LoadKey {
     double late_s;
@@ -53,24 +39,17 @@ class TorqueBalance {
     std::map<std::string, Load, std::less<>> loads;
     friend bool operator==(const LoadKey&, const LoadKey&) = default;
   };
-  class Ripples;
-  struct Terms;
 
-  DriveTorque drive_torque(const Hypothesis& hypothesis, const MovedStretch& moved,
-                           double drive_late_s) const;
-  LawSeries load_torque(const Hypothesis& hypothesis, double late_s, bool is_as_stated) const;
-  double load_late_s(const Hypothesis& hypothesis, double moved_s) const;
-  Terms terms(const Hypothesis& hypothesis);
-  LawSeries histories(const actuator::Actuator& actuator, MovedStretch& moved,
-                      const std::shared_ptr<const DriveTorque>& drive);
+  std::shared_ptr<const LawSeries> load_torque(const Hypothesis& hypothesis, double moved_s);
+  LawSeries before_drag(const Hypothesis& hypothesis, MovedStretch& moved,
+                        const std::shared_ptr<const MotorTorque>& motor);
 
   const Bench& bench_;
   const Signals& signals_;
   std::size_t most_;
-  Remembered<std::pair<double, double>, MovedStretch> moved_;
-  Remembered<DriveKey, DriveTorque> drives_;
+  MotorTorques motor_torques_;
+  Remembered<std::pair<double, double>, MovedStretch> moved_;  ///< By lateness and gear ratio.
   Remembered<LoadKey, LawSeries> loads_;
-  Remembered<LagKey, LawSeries> lags_;
 };
 
 /// The same of one hypothesis alone.
