@@ -56,6 +56,9 @@ struct SimulationOptions {
   /// Inertia of rotor and gears at the output, where another document states it; absent: the
   /// actuator's.
   std::optional<double> motor_inertia_kg_m2 = {};
+  /// Whether traces hold positions and speeds of the output alone: torques at the samples cost an
+  /// evaluation of the dynamics each. A motion that is not imposed.
+  bool traces_motion_only = false;
 };
 
 }  // namespace torquewright::simulation

@@ -96,6 +96,7 @@ std::vector<std::vector<double>> limb_errors_rad(const RobotModel& model, const 
   const std::unique_ptr<simulation::Plant> plant = plant_of(limb.load);
   simulation::SimulationOptions options;
   options.longest_step_s = longest_step_s;
+  options.traces_motion_only = true;
   std::vector<const actuator::Actuator*> drives;
   for (const std::size_t joint : limb.joints) drives.push_back(&model.drives[joint]);
   const simulation::SimulatedRun simulated =

@@ -39,6 +39,7 @@ RunSimulation::RunSimulation(Plant& plant, const std::vector<const actuator::Act
     : plant_(plant),
       excitation_(excitation),
       first_(first),
+      traces_motion_only_(options.traces_motion_only && !plant.is_imposed()),
       models_(make_models(plant, actuators, options)),
       stepper_(plant, models_) {
   begin(start);
@@ -157,6 +158,7 @@ double RunSimulation::held_Nm(const std::vector<DriveNow>& drive, const Eigen::V
 }
 
 void RunSimulation::record(std::size_t knot) {
+  if (traces_motion_only_) return record_motion();
   const std::vector<DriveNow> drive = drives_at(excitation_, knot, 0.0);
   Eigen::VectorXd imposed(1);
   if (imposed_) imposed[0] = imposed_->at(knot, excitation_.time_s[knot]).acceleration_rad_s2;
@@ -168,6 +170,16 @@ void RunSimulation::record(std::size_t knot) {
       stepper_.equations().motion(state_, ways, drive, imposed_ ? &imposed : nullptr);
   if (is_rigid_imposed && ways[0] == 0.0) motion.torque_Nm[0] = held_Nm(drive, imposed);
   for (std::size_t j = 0; j < models_.size(); ++j) record_joint(j, motion, drive[j]);
+}
+
+void RunSimulation::record_motion() {
+  for (std::size_t j = 0; j < models_.size(); ++j) {
+    const JointState& state = state_.joints[j];
+    run_.joints[j].position_rad.push_back(state.position_rad);
+    run_.joints[j].speed_rad_s.push_back(state.speed_rad_s);
+    if (!std::isfinite(state.position_rad) || !std::isfinite(state.speed_rad_s))
+      run_.is_finite = false;
+  }
 }
 
 void RunSimulation::record_joint(std::size_t joint, const PlantMotion& motion,

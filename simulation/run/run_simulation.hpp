@@ -38,6 +38,7 @@ class RunSimulation {
   void set_temperatures(std::size_t knot, double share);
   void heat(const std::vector<DriveNow>& drive, double step_s);
   void record(std::size_t knot);
+  void record_motion();
   void record_joint(std::size_t joint, const PlantMotion& motion, const DriveNow& drive);
   double held_Nm(const std::vector<DriveNow>& drive, const Eigen::VectorXd& imposed);
   double energy_J();
@@ -46,6 +47,7 @@ class RunSimulation {
   Plant& plant_;
   const Excitation& excitation_;
   std::size_t first_;
+  bool traces_motion_only_;
   std::vector<JointModel> models_;
   Stepper stepper_;
   PlantState state_;
