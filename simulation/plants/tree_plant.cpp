@@ -40,11 +40,20 @@ TreePlant::TreePlant(dynamics::Tree tree, const std::vector<std::size_t>& bodies
 }
 
 void TreePlant::set(const VectorXd& position_rad, const VectorXd& speed_rad_s) {
+  if (!stands_at(position_rad)) is_mass_known_ = false;
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     position_[rows_[i]] = position_rad[static_cast<Index>(i)];
     velocity_[rows_[i]] = speed_rad_s[static_cast<Index>(i)];
   }
   state_.set(position_, velocity_);
+  is_set_ = true;
+}
+
+bool TreePlant::stands_at(const VectorXd& position_rad) const {
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    if (position_[rows_[i]] != position_rad[static_cast<Index>(i)]) return false;
+  }
+  return is_set_;
 }
 
 void TreePlant::mass_matrix(const VectorXd& position_rad, MatrixXd& mass_kg_m2) {
@@ -52,8 +61,9 @@ void TreePlant::mass_matrix(const VectorXd& position_rad, MatrixXd& mass_kg_m2) 
     mass_kg_m2.setIdentity();
     return;
   }
-  set(position_rad, still_);
-  dynamics::mass_matrix(state_, mass_);
+  if (!stands_at(position_rad)) set(position_rad, still_);
+  if (!is_mass_known_) dynamics::mass_matrix(state_, mass_);
+  is_mass_known_ = true;
   for (Index i = 0; i < joint_count(); ++i) {
     for (Index j = 0; j < joint_count(); ++j) {
       mass_kg_m2(i, j) =

@@ -27,12 +27,15 @@ class TreePlant : public Plant {
 
  private:
   void set(const Eigen::VectorXd& position_rad, const Eigen::VectorXd& speed_rad_s);
+  /// Whether the tree was set to those positions, at whatever speed.
+  bool stands_at(const Eigen::VectorXd& position_rad) const;
 
   dynamics::TreeState state_;
   std::vector<Eigen::Index> rows_;  ///< Rows of the tree's velocities, by moved joint.
   Eigen::VectorXd position_, velocity_, force_;
   Eigen::VectorXd still_;  ///< (moved joints x 1) Zero.
   Eigen::MatrixXd mass_;
+  bool is_set_ = false, is_mass_known_ = false;
 };
 
 }  // namespace torquewright::simulation

@@ -19,39 +19,43 @@ void EquationsOfMotion::set_plant(const PlantState& state) {
     position_[static_cast<Eigen::Index>(j)] = state.joints[j].position_rad;
     speed_[static_cast<Eigen::Index>(j)] = state.joints[j].speed_rad_s;
   }
-  plant_.mass_matrix(position_, mass_);
   plant_.bias(position_, speed_, bias_);
+  plant_.mass_matrix(position_, mass_);
 }
 
 /// Eq. (3) for gears that carry positive torque or not, as stated.
 void EquationsOfMotion::accelerate(const PlantState& state, const std::vector<double>& directions,
-                                   const std::vector<bool>& positive, PlantMotion& motion) const {
+                                   const std::vector<bool>& positive, PlantMotion& motion) {
   const Eigen::Index joints = plant_.joint_count();
-  Eigen::MatrixXd left = mass_;
-  Eigen::VectorXd right = -bias_;
+  left_ = mass_;
+  right_ = -bias_;
   for (Eigen::Index j = 0; j < joints; ++j) {
     const auto index = static_cast<std::size_t>(j);
     const JointModel& model = models_[index];
     const JointForces& forces = motion.forces[index];
     if (model.is_elastic()) {
       const double twist_Nm = model.twist(state.joints[index]).torque_Nm;
-      right[j] += twist_Nm * (1.0 + forces.ripple_ratio) + forces.ripple_Nm;
+      right_[j] += twist_Nm * (1.0 + forces.ripple_ratio) + forces.ripple_Nm;
       continue;
     }
     if (directions[index] == 0.0) {
-      left.row(j).setZero();
-      left(j, j) = 1.0;
-      right[j] = 0.0;
+      left_.row(j).setZero();
+      left_(j, j) = 1.0;
+      right_[j] = 0.0;
       continue;
     }
     const double gain = forces.gain(positive[index]) * (1.0 + forces.ripple_ratio);
     // A gear that locks takes any torque: what is before it balances. Large stands for infinite.
     const double slope = std::isfinite(gain) ? gain : 1e9;
-    left(j, j) += slope * model.inertia_kg_m2();
-    right[j] += slope * forces.before_mesh_Nm + forces.ripple_Nm;
+    left_(j, j) += slope * model.inertia_kg_m2();
+    right_[j] += slope * forces.before_mesh_Nm + forces.ripple_Nm;
   }
-  motion.acceleration_rad_s2 = joints == 1 ? Eigen::VectorXd(right / left(0, 0))
-                                           : Eigen::VectorXd(left.partialPivLu().solve(right));
+  if (joints == 1) {
+    motion.acceleration_rad_s2 = right_ / left_(0, 0);
+  } else {
+    factors_.compute(left_);
+    motion.acceleration_rad_s2 = factors_.solve(right_);
+  }
 }
 
 /// Whether those accelerations agree with the sides that they were found for; else other sides.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <vector>
 
 #include "simulation/plant.hpp"
@@ -35,7 +36,7 @@ class EquationsOfMotion {
   void solve(const PlantState& state, const std::vector<double>& directions, PlantMotion& motion);
   void set_plant(const PlantState& state);
   void accelerate(const PlantState& state, const std::vector<double>& directions,
-                  const std::vector<bool>& positive, PlantMotion& motion) const;
+                  const std::vector<bool>& positive, PlantMotion& motion);
   bool correct_sides(const std::vector<double>& directions, const PlantMotion& motion,
                      std::vector<bool>& positive) const;
 
@@ -43,6 +44,10 @@ class EquationsOfMotion {
   const std::vector<JointModel>& models_;
   Eigen::VectorXd position_, speed_, bias_;
   Eigen::MatrixXd mass_;
+  /// Of eq. (3): its matrix, right side and factors, kept for their memory.
+  Eigen::MatrixXd left_;
+  Eigen::VectorXd right_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> factors_;
 };
 
 }  // namespace torquewright::simulation

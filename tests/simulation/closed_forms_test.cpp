@@ -229,5 +229,20 @@ TEST(Simulation, PositionControllerSettlesWhereTorquesBalance) {
   EXPECT_NEAR(0.4 * (0.5 - q) * 48.0 / 0.5 * 1.0, 9.81 * 0.3 * std::sin(q), 1e-6);
 }
 
+// Oracle: the same run with all traces.
+TEST(Simulation, MovesAlikeWhereMotionAloneIsTraced) {
+  actuator::Actuator drive = simple_actuator();
+  drive.effects = {effect("coulomb_friction", {0.3}), effect("presliding_friction", {0.2, 20.0})};
+  const Excitation played = excitation(1.0, 0.01, [](double t) { return std::sin(9.0 * t); });
+  const std::unique_ptr<Plant> plant = simple_plant(Load::kPendulum);
+  SimulationOptions options;
+  const SimulatedRun all = simulate(*plant, {&drive}, played, {JointStart{}}, options);
+  options.traces_motion_only = true;
+  const SimulatedRun motion = simulate(*plant, {&drive}, played, {JointStart{}}, options);
+  EXPECT_EQ(motion.joints[0].position_rad, all.joints[0].position_rad);
+  EXPECT_EQ(motion.joints[0].speed_rad_s, all.joints[0].speed_rad_s);
+  EXPECT_TRUE(motion.joints[0].torque_Nm.empty());
+}
+
 }  // namespace
 }  // namespace torquewright::simulation

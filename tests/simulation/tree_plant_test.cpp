@@ -57,6 +57,25 @@ TEST(TreePlant, IsTheArmOfTheClosedEquations) {
   EXPECT_NEAR(plant.energy_J(position, speed) - plant.energy_J(still, still), rise_J, kRounding);
 }
 
+// Oracle: plants that stood nowhere before. Nothing of the places of before is left in a plant that
+// moves on, whatever was asked of it there.
+TEST(TreePlant, ForgetsWhereItStood) {
+  TreePlant plant(tree_of_arm(), {1, 2, 3}, VectorXd::Zero(3));
+  const VectorXd speed = (VectorXd(3) << 1.1, 2.3, -0.7).finished();
+  for (const double angle_rad : {0.4, -0.9, -0.9, 0.4, 0.0}) {
+    const VectorXd position = VectorXd::Constant(3, angle_rad);
+    TreePlant fresh(tree_of_arm(), {1, 2, 3}, VectorXd::Zero(3));
+    MatrixXd own(3, 3), other(3, 3);
+    VectorXd own_Nm(3), other_Nm(3);
+    plant.bias(position, speed, own_Nm);
+    plant.mass_matrix(position, own);
+    fresh.mass_matrix(position, other);
+    fresh.bias(position, speed, other_Nm);
+    EXPECT_EQ(own, other) << angle_rad;
+    EXPECT_EQ(own_Nm, other_Nm) << angle_rad;
+  }
+}
+
 // Oracle: the same closed equations, with the middle joint's rows left out.
 TEST(TreePlant, HoldsTheJointsThatDoNotMove) {
   SerialArm arm(kLinks, dynamics::kGravity_m_s2);
