@@ -64,6 +64,8 @@ MotorTorque MotorTorques::computed(Hypothesis hypothesis, const MovedStretch& mo
   if (key.drive_late_s != 0.0) channel = advanced(channel, key.drive_late_s, signals_.step_s);
   const DriveSide side(bench_, hypothesis, signals_, channel, moved.at(), key.drive_late_s);
   MotorTorque torque;
+  torque.motor_Nm.reserve(n);
+  torque.stated_over_own_slope.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
     actuator::Instant at = moved.at()[i];
     torque.motor_Nm.push_back(side.motor_Nm(i, at));

@@ -94,6 +94,7 @@ PlantMotion EquationsOfMotion::forces(const PlantState& state,
                                       const std::vector<double>& directions,
                                       const std::vector<DriveNow>& drive) const {
   PlantMotion motion;
+  motion.forces.reserve(models_.size());
   for (std::size_t j = 0; j < models_.size(); ++j) {
     motion.forces.push_back(models_[j].forces(state.joints[j], directions[j], drive[j]));
   }

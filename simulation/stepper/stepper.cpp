@@ -50,7 +50,9 @@ void Stepper::advance(PlantState& state, const std::vector<DriveNow>& drive, dou
   double left_s = step_s;
   for (int number = 0; number < kMostParts && left_s > 0.0; ++number) {
     const std::vector<double> ways = directions_of(equations_, state, drive);
-    Part part{state, state, {}};
+    Part& part = part_;
+    part.middle = state;
+    part.end = state;
     midpoint(state, ways, drive, left_s, part);
     double part_s = left_s;
     if (number + 1 < kMostParts && share_to_stop(state, part.end, ways) < 1.0) {

@@ -47,6 +47,7 @@ class Stepper {
                 WorkAccount& work) const;
 
   EquationsOfMotion equations_;
+  Part part_;  ///< The present one, kept for its memory.
 };
 
 }  // namespace torquewright::simulation

@@ -58,6 +58,7 @@ bool release_one(EquationsOfMotion& equations, const PlantState& state,
 std::vector<double> directions_of(EquationsOfMotion& equations, const PlantState& state,
                                   const std::vector<DriveNow>& drive) {
   std::vector<double> directions;
+  directions.reserve(state.joints.size());
   bool some_rest = false;
   for (const JointState& joint : state.joints) {
     directions.push_back(sign_of(joint.motor_speed_rad_s));
