@@ -24,10 +24,10 @@ using actuator::EffectKind;
 using actuator::StandsFor;
 using actuator::TrainPart;
 
-/// Samples of series that are remembered of each kind, and bounds of the number of series: twice
-/// as many as a model has effects, and what one effect needs beside the others' sums.
-constexpr std::size_t kRememberedSamples = 2'000'000;
-constexpr std::size_t kFewestSeries = 2, kMostSeries = 24;
+/// Samples of series that are remembered of each kind, and bounds of the number of series: of a
+/// short log twice as many as a model has effects. Memory stays flat in the length.
+constexpr std::size_t kRememberedSamples = 1'000'000;
+constexpr std::size_t kFewestSeries = 1, kMostSeries = 24;
 constexpr double kMostFactor = 30.0;  ///< An uncertain value is within it of what is stated.
 
 bool is_uncertain(const Bench& bench, const char* pointer) {

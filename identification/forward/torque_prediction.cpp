@@ -21,8 +21,9 @@ using actuator::Effect;
 using actuator::Instant;
 
 constexpr double kMostGain = 20.0;  ///< Of a mesh that nearly locks.
-/// Motions, motors and loads that are remembered: of a model and of the parameter that moves.
-constexpr std::size_t kMostStates = 3;
+/// Motions, motors and loads that are remembered: of a model and of the parameter that moves. Each
+/// is as large as many series.
+std::size_t states(std::size_t most) { return std::min<std::size_t>(most / 2, 3); }
 
 double delay_of_motion_s(const Hypothesis& hypothesis) {
   double delay_s = 0.0;
@@ -198,9 +199,9 @@ TorqueBalance::TorqueBalance(const Bench& bench, const Signals& signals, std::si
     : bench_(bench),
       signals_(signals),
       most_(most),
-      motor_torques_(bench, signals, std::min(most, kMostStates)),
-      moved_(std::min(most, kMostStates)),
-      loads_(std::min(most, kMostStates)) {}
+      motor_torques_(bench, signals, states(most)),
+      moved_(states(most)),
+      loads_(states(most)) {}
 
 std::shared_ptr<const LawSeries> TorqueBalance::load_torque(const Hypothesis& hypothesis,
                                                             double moved_s) {
