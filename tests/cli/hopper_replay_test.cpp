@@ -167,15 +167,17 @@ TEST_F(HopperReplay, WhatActsAtTheFirstRowIsNotWhatWasWanted) {
 }
 
 // Oracle: the other engine. The hop lies inside the regions by `hopper check`; it lands in both
-// within two control periods of the plan and of each other.
+// within two control periods of each other, and of the plan within these and the time in which it
+// falls by the 2 mm by which a regulator may set its sole down unevenly, after a flight of 140 ms.
 TEST_F(HopperReplay, AHopInsideTheRegionsStandsInBothEngines) {
   EXPECT_EQ(run({}, "hop", "check").exit_code, 0);
   const json own = report({}, "hop");
   const json mujoco = report({"--engine", "mujoco"}, "hop");
+  const double late_s = 1e-3 + 2e-3 / (9.81 * 70e-3);
   for (const json& replayed : {own, mujoco}) {
     EXPECT_EQ(replayed["verdict"], "stands") << replayed["end"];
     EXPECT_NEAR(replayed["touch_down"]["time_s"].get<double>(),
-                replayed["touch_down"]["planned_s"].get<double>(), 1.5e-3);
+                replayed["touch_down"]["planned_s"].get<double>(), late_s);
     EXPECT_NEAR(replayed["touch_down"]["rotation_short_rad"].get<double>(), 0.0, kDegree);
   }
   EXPECT_NEAR(own["touch_down"]["time_s"].get<double>(),
