@@ -9,11 +9,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "hopper/tracking/drive_torque.hpp"
+#include "hopper/tracking/drive_loops.hpp"
 #include "hopper/tracking/error_space.hpp"
 #include "hopper/tracking/gain_schedule.hpp"
 #include "hopper/tracking/linearisation.hpp"
-#include "hopper/tracking/pd.hpp"
 #include "hopper/tracking/riccati.hpp"
 #include "hopper/tracking/tipping_torque.hpp"
 #include "hopper/tracking/touch_down.hpp"

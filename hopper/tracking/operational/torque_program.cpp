@@ -4,7 +4,7 @@
 #include <limits>
 #include <numbers>
 
-#include "hopper/tracking/drive_torque.hpp"
+#include "hopper/tracking/drive_loops.hpp"
 #include "hopper/tracking/linearisation.hpp"
 
 namespace torquewright::hopper {

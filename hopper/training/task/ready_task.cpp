@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "hopper/planning/plane/sagittal_robot.hpp"
-#include "hopper/tracking/drive_torque.hpp"
+#include "hopper/tracking/drive_loops.hpp"
 #include "hopper/training/task/standing_start.hpp"
 #include "io/faults/refusal.hpp"
 #include "io/faults/spec_error.hpp"

@@ -8,7 +8,7 @@
 #include <Eigen/LU>
 
 #include "dynamics/position_step.hpp"
-#include "hopper/tracking/drive_torque.hpp"
+#include "hopper/tracking/drive_loops.hpp"
 #include "hopper/tracking/linearisation.hpp"
 #include "tests/hopper/tracking/closed_loop.hpp"
 

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "dynamics/position_step.hpp"
-#include "hopper/tracking/drive_torque.hpp"
+#include "hopper/tracking/drive_loops.hpp"
 #include "hopper/tracking/error_space.hpp"
 #include "hopper/tracking/gain_schedule.hpp"
 #include "hopper/tracking/lqr.hpp"
