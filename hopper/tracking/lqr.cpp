@@ -267,7 +267,7 @@ class Recursion {
 
   /// The end of a mode: what errors are behind it, and what unknowns add to them (2 n x p).
   struct Border {
-    TouchDown down;
+    TouchDownSlopes down;
     MatrixXd jump;
   };
 

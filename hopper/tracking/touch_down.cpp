@@ -7,13 +7,13 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-std::optional<TouchDown> touch_down(WholeBody& body, const DrivenState& before,
-                                    const TouchingPoints& old, const TouchingPoints& held) {
+std::optional<TouchDownSlopes> touch_down(WholeBody& body, const DrivenState& before,
+                                          const TouchingPoints& old, const TouchingPoints& held) {
   // Slower than that the moment of touching is not one that an error of height moves.
   constexpr double kLanding_m_s = 0.05;
   const Index n = before.velocity.size();
   const TouchingPoints landing = held && !old;
-  TouchDown out{MatrixXd::Identity(2 * n, 2 * n), MatrixXd::Zero(landing.count(), 2 * n)};
+  TouchDownSlopes out{MatrixXd::Identity(2 * n, 2 * n), MatrixXd::Zero(landing.count(), 2 * n)};
   if (!landing.any()) return out;
   const auto impact = impact_slopes(body, before, held);
   const auto acceleration = held_acceleration(body, before, old);
