@@ -26,12 +26,12 @@ MOTIONS = {
     "hop, reserve 0.12": ["--task", "hop", "--reserve", "0.12"],
     "step, reserve 0.12": ["--task", "hop", "--stride", "0.3", "--land-at", "0.085",
                            "--reserve", "0.12"],
-    "four hops at 0.8 m/s, reserve 0.08": ["--task", "hop", "--repeat", "2", "--alike", "--speed",
-                                           "0.8", "--reserve", "0.08", "--intervals", "60"],
+    "four hops at 0.8 m/s, reserve 0.12": ["--task", "hop", "--repeat", "2", "--alike", "--speed",
+                                           "0.8", "--reserve", "0.12", "--intervals", "60"],
     "flip": [],
     "flip at 16:1, reserve 0.08": ["--reserve", "0.08"],
 }
-HOPS = {"four hops at 0.8 m/s, reserve 0.08": ["--hops", "4"]}
+HOPS = {"four hops at 0.8 m/s, reserve 0.12": ["--hops", "4"]}
 RATIO = re.compile(r" at (\d+):1")
 # How well the robots that are drawn are known, beside what the document says: ranges of masses,
 # inertias and gains about 1, and of centres of mass; None: no shift. Sensors are the same.
