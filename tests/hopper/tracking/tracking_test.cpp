@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <limits>
 
+#include "dynamics/point.hpp"
 #include "dynamics/position_step.hpp"
 #include "hopper/tracking/drive_loops.hpp"
 #include "hopper/tracking/error_space.hpp"
@@ -344,6 +345,61 @@ TEST_F(Flip, GainsAreFiniteAndTheSameAgain) {
       ASSERT_TRUE(gains[i].of_error.allFinite());
       ASSERT_EQ(gains[i].of_error, second.gains->by_mode()[mode].gains[i].of_error);
     }
+  }
+}
+
+/// How far the edge on which it is to land is from level at its first touch, of a body that rolls
+/// by 0.3 rad/s in flight.
+double uneven_m(const test::PlannedMotion& planned, const LqrOptions& options) {
+  const LqrResult found = lqr_gains(planned.robot, *planned.reference, options);
+  const auto lqr = lqr_controller(planned.robot, *planned.reference, found.gains, {}, kPlain);
+  const ContactMode& landing = planned.reference->modes()[3];
+  const double from_s = landing.from_s - 0.25;
+  ReferenceInstant at;
+  planned.reference->at(from_s, at);
+  at.velocity[3] += 0.3;
+  test::ClosedLoop loop(planned.robot, *lqr);
+  loop.start(at.position, at.velocity, from_s);
+  dynamics::TreeState state(planned.robot.tree);
+  double least_m = 0.0, greatest_m = 0.0;
+  (void)loop.run_until(from_s + 0.35, [&] {
+    if (loop.touches().any() && greatest_m > least_m) return;
+    state.set(loop.position(), loop.velocity());
+    least_m = std::numeric_limits<double>::infinity();
+    greatest_m = -least_m;
+    for (Index i = 0; i < landing.touches.size(); ++i) {
+      if (!landing.touches[i]) continue;
+      const auto& point = planned.robot.contacts[static_cast<std::size_t>(i)].point;
+      const double height_m = dynamics::point_position_m(state, point).z();
+      least_m = std::min(least_m, height_m);
+      greatest_m = std::max(greatest_m, height_m);
+    }
+  });
+  return greatest_m - least_m;
+}
+
+TEST_F(Flip, LandsTheMoreLevelTheLessMayBeUneven) {
+  LqrOptions any;
+  any.uneven_m = 10.0;
+  const double usual_m = uneven_m(planned, {}), careless_m = uneven_m(planned, any);
+  EXPECT_LT(usual_m, LqrOptions().uneven_m);
+  EXPECT_GT(careless_m, 2.0 * usual_m);
+}
+
+// Looks count until the impact, each for the period that ends there.
+TEST_F(Flip, IsWeighedUntilTheImpact) {
+  LqrOptions options;
+  options.weighs = true;
+  const LqrResult found = lqr_gains(planned.robot, *planned.reference, options);
+  ASSERT_TRUE(found.gains);
+  for (std::size_t mode = 0; mode < planned.reference->modes().size(); ++mode) {
+    const GainStretch& stretch = found.gains->by_mode()[mode];
+    const double look_s = stretch.from_s + 7.1 * stretch.step_s;
+    const auto period = found.gains->weighed_before(mode, look_s);
+    ASSERT_EQ(period.has_value(), mode < 3) << mode;
+    if (!period) continue;
+    EXPECT_EQ(&period->model, &stretch.models[6]);
+    EXPECT_EQ(&period->gain, &stretch.weighing[6]);
   }
 }
 

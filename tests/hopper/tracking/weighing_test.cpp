@@ -66,6 +66,20 @@ TEST(Weighing, IsTheRegressionOverAllLooks) {
   }
 }
 
+// A stretch begins with what the one before it left: two of three periods are one of six.
+TEST(Weighing, GoesOnFromStretchToStretch) {
+  oracles::Dice dice(92);
+  const std::vector<ErrorModel> all = some_models(dice, 6);
+  const VectorXd spread = (VectorXd(3) << 0.5, 1.5, 0.1).finished();
+  const std::vector<MatrixXd> whole = WeighingGains(kWeighedErrors, spread, 1).over(all, kPeriod_s);
+  WeighingGains parts(kWeighedErrors, spread, 1);
+  for (const std::size_t from : {0, 3}) {
+    const auto first = all.begin() + static_cast<std::ptrdiff_t>(from);
+    const std::vector<MatrixXd> part = parts.over({first, first + 3}, kPeriod_s);
+    for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(part[i], whole[from + i]) << from + i;
+  }
+}
+
 /// How far attitude and joints end from where they are to be, after standing with the thigh's
 /// centre of mass off to a side by so much.
 double ends_off(bool weighs, double sideways_m) {
