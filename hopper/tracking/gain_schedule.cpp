@@ -40,8 +40,9 @@ const ErrorModel* GainSchedule::model_at(std::size_t mode, double time_s) const 
 
 std::optional<WeighedPeriod> GainSchedule::weighed_before(std::size_t mode, double time_s) const {
   const GainStretch& stretch = by_mode_[std::min(mode, by_mode_.size() - 1)];
-  if (stretch.weighing.empty()) return std::nullopt;
-  const std::size_t place = place_in(stretch, time_s - 0.5 * stretch.step_s);
+  const double middle_s = time_s - 0.5 * stretch.step_s;
+  if (stretch.weighing.empty() || middle_s > ends_s_) return std::nullopt;
+  const std::size_t place = place_in(stretch, middle_s);
   return WeighedPeriod{stretch.models[place], stretch.weighing[place]};
 }
 

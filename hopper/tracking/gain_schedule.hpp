@@ -53,7 +53,7 @@ class GainSchedule {
   /// Returns the model there; null where errors are not foretold.
   const ErrorModel* model_at(std::size_t mode, double time_s) const;
   /// Returns the period of the mode that ends nearest to a time; none where no look is worth
-  /// anything.
+  /// anything, after the motion's end too.
   std::optional<WeighedPeriod> weighed_before(std::size_t mode, double time_s) const;
   /// How many unknowns the gains know.
   Eigen::Index unknowns() const { return after_end_.of_unknown.cols(); }

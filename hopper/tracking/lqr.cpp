@@ -291,7 +291,7 @@ class Recursion {
 
   /// Carries the costs back over the end of a mode. Points that are to land at once and come down
   /// one after the other cost, for each blow then turns the foot, which (14) knows nothing of:
-  /// docs/derivations/tracking.md eq. (14b).
+  /// docs/derivations/tracking.md eq. (14a).
   bool go_back_over_border(std::size_t mode, const Knot& before) {
     const auto found = border(mode, before);
     if (!found) return stop(GainOutcome::kUnreached, before.time_s, before.instant);

@@ -56,9 +56,8 @@ std::unique_ptr<const ReadyController> prepare_weighing(const Robot& robot,
 const ControllerKind lqr = {.name = "lqr",
                             .sentence = "a linear quadratic regulator through the impacts",
                             .prepare = prepare_lqr};
-const ControllerKind weighing = {
-    .name = "weighing",
-    .sentence = "the same, weighing the robot while it stands at the begin",
-    .prepare = prepare_weighing};
+const ControllerKind weighing = {.name = "weighing",
+                                 .sentence = "the same, weighing the robot until its first impact",
+                                 .prepare = prepare_weighing};
 
 }  // namespace torquewright::hopper::controllers

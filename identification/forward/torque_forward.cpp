@@ -25,7 +25,7 @@ using actuator::StandsFor;
 using actuator::TrainPart;
 
 /// Samples of series that are remembered of each kind, and bounds of the number of series: of a
-/// short log twice as many as a model has effects. Memory stays flat in the length.
+/// short log twice as many as a model has effects, of a long one one, whose size is the log's.
 constexpr std::size_t kRememberedSamples = 1'000'000;
 constexpr std::size_t kFewestSeries = 1, kMostSeries = 24;
 constexpr double kMostFactor = 30.0;  ///< An uncertain value is within it of what is stated.

@@ -401,6 +401,11 @@ TEST_F(Flip, IsWeighedUntilTheImpact) {
     EXPECT_EQ(&period->model, &stretch.models[6]);
     EXPECT_EQ(&period->gain, &stretch.weighing[6]);
   }
+  const LqrResult still = lqr_gains(
+      planned.robot, test::standing(planned.robot, test::crouch(planned.robot), 0.1), options);
+  ASSERT_TRUE(still.gains);
+  EXPECT_TRUE(still.gains->weighed_before(0, 0.1));
+  EXPECT_FALSE(still.gains->weighed_before(0, 0.1 + options.control_period_s));
 }
 
 // Of errors along the motion the gain in front of the impact sees nothing: to be early or late is
