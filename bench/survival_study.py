@@ -31,6 +31,11 @@ MOTIONS = {
     "flip": [],
     "flip at 16:1, reserve 0.08": ["--reserve", "0.08"],
 }
+# Rigid ground is the hardest that there is; MuJoCo's usual one gives with 1 ms.
+ENGINES = {"own engine, rigid ground": ["--engine", "own"],
+           "own, 1 ms": ["--engine", "own", "--ground-time-constant", "0.001"],
+           "MuJoCo, 1 ms": ["--engine", "mujoco"]}
+UP = ("stands", "missed", "trembles")
 HOPS = {"four hops at 0.8 m/s, reserve 0.12": ["--hops", "4"]}
 RATIO = re.compile(r" at (\d+):1")
 # How well the robots that are drawn are known, beside what the document says: ranges of masses,
@@ -94,18 +99,18 @@ def planned(program, name, folder):
 
 
 def trials(options, name, files, engine, controller):
-    """What a cell says: successes of the trials that were finished, and Wilson's interval.
-    `files`: robot, motion, randomisation."""
+    """What a cell says: successes of the trials that were finished, Wilson's interval, and how many
+    are up at the end whatever they did. `files`: robot, motion, randomisation."""
     robot, motion, randomisation = map(str, files)
-    run = subprocess.run([options.program, "hopper", "replay", robot, motion, "--engine", engine,
+    run = subprocess.run([options.program, "hopper", "replay", robot, motion, *ENGINES[engine],
                           "--controller", controller, "--trials", str(options.trials),
                           "--seed", str(options.seed), "--randomise", randomisation, "--json",
                           *HOPS.get(name, [])],
                          capture_output=True, text=True)
     found = json.loads(run.stdout)["trials"]
     least, most = (100 * end for end in found["interval"])
-    return (f"{found['succeeded']} of {found['count']}, "
-            f"{least:.0f} to {most:.0f} %")
+    up = sum(each["verdict"] in UP for each in found["list"])
+    return f"{found['succeeded']} of {found['count']}, {least:.0f} to {most:.0f} %; up {up}"
 
 
 def rows(options):
@@ -116,11 +121,11 @@ def rows(options):
         ways = options.known or (KNOWN if RATIO.search(name) else [""])
         for controller, known in product(options.controllers if motion else [], ways):
             files = robot_of(name, folder), motion, randomisation_of(known, folder)
-            cells = [trials(options, name, files, engine, controller) for engine in ("own", "mujoco")]
+            cells = [trials(options, name, files, engine, controller) for engine in ENGINES]
             robot = f"{name}; {known}" if known else name
-            yield f"| {robot} | {controller} | {cells[0]} | {cells[1]} |"
+            yield f"| {robot} | {controller} | {' | '.join(cells)} |"
         if motion is None:
-            yield f"| {name} | - | no plan | no plan |"
+            yield f"| {name} | -{' | no plan' * len(ENGINES)} |"
 
 
 def main():
@@ -136,7 +141,7 @@ def main():
     parser.add_argument("--folder", default="build/study_survival")
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
-    table = ["| motion | controller | own engine | MuJoCo |", "|---|---|---|---|"]
+    table = [f"| motion | controller | {' | '.join(ENGINES)} |", "|---|---|" + "---|" * len(ENGINES)]
     for row in rows(options):
         print(row, flush=True)
         table.append(row)

@@ -24,11 +24,11 @@ enum class EngineOutcome {
 struct EngineOptions {
   double ground_height_m = 0.0;
   simulation::GroundProfile profile = {};  ///< Over that height.
-  /// How soft the ground and the ends of joints' ranges are where the engine knows soft contact
-  /// alone: no less than two of its steps is taken. An engine of rigid contact has no use for it.
-  /// At 1 ms and steps of 0.5 ms impulses of impacts are within 1 % of rigid ones; softer ground
-  /// gives up to a tenth more.
-  double contact_time_constant_s = 0.001;
+  /// Time constant with which the ground gives, critically damped. None: it is rigid, or has 1 ms
+  /// where the engine knows soft contact alone. That engine gives it to the ends of joints' ranges
+  /// too, and takes no less than two of its steps; at 1 ms and steps of 0.5 ms its impulses of
+  /// impacts are within 1 % of rigid ones, softer ground gives up to a tenth more.
+  std::optional<double> contact_time_constant_s = std::nullopt;
 };
 
 /// A robot over ground that is level between edges, with its rotors and mechanisms, that moves on
@@ -59,7 +59,8 @@ class Engine {
   virtual const Eigen::VectorXd& generalised_impulse() const = 0;
 };
 
-/// Makes an engine with rigid contact by simulation/contact. The robot must outlive it.
+/// Makes an engine with contact by simulation/contact, rigid unless the options say otherwise. The
+/// robot must outlive it.
 std::unique_ptr<Engine> own_engine(const Robot& robot, const EngineOptions& options);
 
 /// Makes an engine with MuJoCo, built from what `robot export` writes. Null where the program was

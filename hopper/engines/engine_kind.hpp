@@ -12,8 +12,6 @@ namespace torquewright::hopper {
 struct EngineKind {
   std::string_view name;
   std::string_view sentence;  ///< Description for a user.
-  /// Whether EngineOptions::contact_time_constant_s has an effect.
-  bool has_soft_ground = false;
   /// Returns a sentence where the program was built without it, with what to do; null: it is always
   /// there.
   std::optional<std::string> (*absence)() = nullptr;

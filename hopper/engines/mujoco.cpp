@@ -6,7 +6,6 @@ namespace torquewright::hopper::engines {
 
 const EngineKind mujoco = {.name = "mujoco",
                            .sentence = "where it was built in",
-                           .has_soft_ground = true,
                            .absence = mujoco_absence,
                            .make = mujoco_engine};
 

@@ -27,6 +27,8 @@ constexpr double kTerrace_m = 100.0;  // how far raised ground goes on: further 
 /// its top.
 constexpr double kDeep_m = 10.0;
 constexpr double kBodyFriction = 0.6;  // as the own engine has it
+/// Of contact that nobody states; there is none that is rigid.
+constexpr double kUsualTimeConstant_s = 0.001;
 /// Share of the constraint's force in the acceleration, at the surface and in it: nearly rigid.
 constexpr std::array<mjtNum, mjNIMP> kStiff{0.99, 0.999, 0.001, 0.5, 2.0};
 
@@ -146,7 +148,7 @@ void MujocoModel::set_options(const EngineOptions& options) {
   option.tolerance = 1e-12;
   option.disableflags |= mjDSBL_ACTUATION;  // forces come from outside
   const auto stiffen = [&](mjtNum* solref, mjtNum* solimp) {
-    solref[0] = options.contact_time_constant_s;
+    solref[0] = options.contact_time_constant_s.value_or(kUsualTimeConstant_s);
     solref[1] = 1.0;  // critically damped
     std::copy(kStiff.begin(), kStiff.end(), solimp);
   };

@@ -65,6 +65,7 @@ simulation::Obstacles obstacles_of(const Robot& robot, const EngineOptions& opti
   obstacles.frictions = frictions_of(robot);
   obstacles.ground_height_m = options.ground_height_m;
   obstacles.profile = options.profile;
+  obstacles.time_constant_s = options.contact_time_constant_s.value_or(0.0);
   return obstacles;
 }
 

@@ -16,11 +16,12 @@ std::vector<Deed> flight_times(const Attempt& attempt);
 std::vector<Deed> rises(const Attempt& attempt);
 std::vector<Deed> landing_places(const Attempt& attempt);
 std::vector<Deed> rotation(const Attempt& attempt);
+std::vector<Deed> last_heading(const Attempt& attempt);
 std::vector<Deed> dip(const Attempt& attempt);
 std::vector<Deed> last_place(const Attempt& attempt);
 std::vector<Deed> last_posture(const Attempt& attempt);
 
-constexpr std::array<DeedKind, 7> kEveryDeed{flight_times, rises,      landing_places, rotation,
-                                             dip,          last_place, last_posture};
+constexpr std::array<DeedKind, 8> kEveryDeed{flight_times, rises, landing_places, rotation,
+                                             last_heading, dip,   last_place,     last_posture};
 
 }  // namespace torquewright::hopper

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "hopper/motion/landing.hpp"
+#include "hopper/verdict/heading_deed.hpp"
 #include "hopper/verdict/turn.hpp"
 
 namespace torquewright::hopper {
@@ -99,46 +99,13 @@ Deed hopping_deed(const Robot& robot, const Goal& goal, const Record& record,
   return deed;
 }
 
-/// How far a run's robot faces at its end from where it is to, about the vertical.
-double faces_off_rad(const Robot& robot, const Reference& ends, const Record& record) {
+/// Hops at a commanded speed hold no heading: whichever it is, it is said.
+Deed end_heading_deed(const Robot& robot, const Goal& goal, const Reference& ends,
+                      const Record& record, const DeedTolerances& tolerances) {
   ReferenceInstant last;
   ends.at(ends.ends_s(), last);
-  const Eigen::Vector2d to = landing_at(robot.tree, 0.0, last.position).forward;
-  const Eigen::Vector2d is = landing_at(robot.tree, 0.0, record.rows.back().position).forward;
-  return std::atan2(to.x() * is.y() - to.y() * is.x(), to.dot(is));
-}
-
-/// Hops hold no heading: whichever it is, it is said.
-Deed heading_deed(double off_rad) {
-  Deed deed;
-  deed.name = "heading";
-  deed.unit = "rad";
-  deed.done = off_rad;
-  deed.off = std::abs(off_rad);
-  deed.tolerance = std::numbers::pi;
-  deed.sentence = fmt::format("it faces {:.0f} degrees from where it is to, as it may",
-                              std::round(kDegrees * off_rad) + 0.0);
-  return deed;
-}
-
-/// The end of a run by which standing is judged, turned about the vertical.
-Record turned_end(const Robot& robot, const Record& record, double turn_rad, double lasts_s) {
-  Record end;
-  end.end = record.end;
-  end.end_s = record.end_s;
-  const Eigen::AngleAxisd turn(turn_rad, Eigen::Vector3d::UnitZ());
-  for (const RecordRow& row : record.rows) {
-    if (row.time_s < record.end_s - lasts_s) continue;
-    RecordRow& turned = end.rows.emplace_back(row);
-    if (robot.tree.base != dynamics::BaseKind::kSpatial) continue;
-    const Eigen::Quaterniond attitude(row.position[3], row.position[4], row.position[5],
-                                      row.position[6]);
-    const Eigen::Quaterniond there = turn * attitude;
-    turned.position.head<3>() = turn * row.position.head<3>();
-    turned.position.segment<4>(3) << there.w(), there.x(), there.y(), there.z();
-    turned.velocity.head<3>() = turn * row.velocity.head<3>();
-  }
-  return end;
+  const double tolerance_rad = goal.landings_s.empty() ? tolerances.heading_rad : std::numbers::pi;
+  return heading_deed(robot.tree, last.position, record.rows.back().position, tolerance_rad);
 }
 
 /// What keeps a robot that does not rest from counting as up; empty: it is.
@@ -146,12 +113,11 @@ std::string objection_to_staying_up(const Robot& robot, const Reference& ends, c
                                     const StandingRule& rule) {
   ReferenceInstant goal;
   ends.at(ends.ends_s(), goal);
-  const Eigen::Matrix3d off = base_attitude(robot.tree, goal.position).transpose() *
-                              base_attitude(robot.tree, record.rows.back().position);
-  const double tilt_rad = Eigen::AngleAxisd(off).angle();
-  if (tilt_rad <= rule.tilt_rad) return "";
-  return fmt::format("at the end its base is {:.0f} degrees from the attitude that it began in",
-                     kDegrees * tilt_rad);
+  const double lean_rad =
+      attitude_error(robot.tree, goal.position, record.rows.back().position).lean_rad;
+  if (lean_rad <= rule.lean_rad) return "";
+  return fmt::format("at the end its base leans {:.0f} degrees from how it began",
+                     kDegrees * lean_rad);
 }
 
 void note_landings(const Robot& robot, const Goal& goal, const Record& record,
@@ -180,15 +146,11 @@ void judge_deeds(const std::string& objection, ReplayOutcome& outcome) {
   }
 }
 
-}  // namespace
-
-namespace {
-
-/// On a robot that is to rest at the end; `end` holds how the run ends at least.
-void judge_rest(const Robot& robot, const Reference& ends, const Record& end,
+/// On a robot that is to rest at the end.
+void judge_rest(const Robot& robot, const Reference& ends, const Record& record,
                 const VerdictRule& rule, ReplayOutcome& outcome) {
-  outcome.reason = objection_to_standing(robot, ends, end, rule.standing);
-  const bool is_up = outcome.reason.empty() || stays_up(robot, ends, end, rule.standing);
+  outcome.reason = objection_to_standing(robot, ends, record, rule.standing);
+  const bool is_up = outcome.reason.empty() || stays_up(robot, ends, record, rule.standing);
   const std::string objection = outcome.reason;
   if (is_up) judge_deeds(objection, outcome);
 }
@@ -212,6 +174,9 @@ ReplayOutcome outcome_of(const Robot& robot, const Reference& ends, const Goal& 
                                 ? forward_deed(goal, record)
                                 : hopping_deed(robot, goal, record, flights, rule.deeds));
   }
+  if (robot.tree.base == dynamics::BaseKind::kSpatial) {
+    outcome.deeds.push_back(end_heading_deed(robot, goal, ends, record, rule.deeds));
+  }
   outcome.verdict = ReplayVerdict::kFell;
   if (record.end == RunEnd::kFell) return outcome;
   if (!goal.rests) {
@@ -219,14 +184,7 @@ ReplayOutcome outcome_of(const Robot& robot, const Reference& ends, const Goal& 
     if (outcome.reason.empty()) judge_deeds("", outcome);
     return outcome;
   }
-  if (goal.landings_s.empty()) {
-    judge_rest(robot, ends, record, rule, outcome);
-    return outcome;
-  }
-  const double off_rad = faces_off_rad(robot, ends, record);
-  outcome.deeds.push_back(heading_deed(off_rad));
-  const Record end = turned_end(robot, record, -off_rad, 2.0 * rule.standing.at_rest_s);
-  judge_rest(robot, ends, end, rule, outcome);
+  judge_rest(robot, ends, record, rule, outcome);
   return outcome;
 }
 

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <numbers>
 
@@ -19,12 +18,10 @@ dynamics::Centroid centroid_of(const Robot& robot, const RecordRow& row) {
   return RobotCentroid(robot).at(row.position, row.velocity);
 }
 
-double tilt_rad(const Robot& robot, const Reference& reference, const RecordRow& row) {
+double lean_rad(const Robot& robot, const Reference& reference, const RecordRow& row) {
   ReferenceInstant goal;
   reference.at(reference.ends_s(), goal);
-  const Eigen::Matrix3d off = base_attitude(robot.tree, goal.position).transpose() *
-                              base_attitude(robot.tree, row.position);
-  return Eigen::AngleAxisd(off).angle();
+  return attitude_error(robot.tree, goal.position, row.position).lean_rad;
 }
 
 /// Whether feet and centre of mass get from one row to the other no faster than the rule allows.
@@ -69,10 +66,10 @@ std::string objection_to_standing(const Robot& robot, const Reference& reference
     return fmt::format("its feet are at rest, but its centre of mass still moves at {:.3g} m/s",
                        speed_m_s);
   }
-  const double off_rad = tilt_rad(robot, reference, last);
-  if (off_rad > rule.tilt_rad) {
+  const double off_rad = lean_rad(robot, reference, last);
+  if (off_rad > rule.lean_rad) {
     return fmt::format(
-        "it came to rest with its base {:.0f} degrees from the posture that the motion ends in",
+        "it came to rest with its base leaning {:.0f} degrees from how the motion ends",
         off_rad * 180.0 / std::numbers::pi);
   }
   return "";
@@ -87,7 +84,7 @@ bool stays_up(const Robot& robot, const Reference& reference, const Record& reco
   if (first == record.rows.end()) return false;
   double last_contact_s = first->time_s;
   for (auto row = first; row != record.rows.end(); ++row) {
-    if (tilt_rad(robot, reference, *row) > rule.tilt_rad) return false;
+    if (lean_rad(robot, reference, *row) > rule.lean_rad) return false;
     if (row->touches.any()) last_contact_s = row->time_s;
     if (row->time_s - last_contact_s >= kShortestFlight_s) return false;
   }

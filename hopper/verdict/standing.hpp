@@ -13,7 +13,7 @@ struct StandingRule {
   double at_rest_s = 0.5;        ///< So long at least its feet have been at rest,
   double foot_speed_m_s = 0.02;  ///< slower than this where the ground presses on them,
   double body_speed_m_s = 0.1;   ///< its centre of mass is no faster than this,
-  double tilt_rad = 0.5;         ///< and its base stands no farther from the motion's last posture.
+  double lean_rad = 0.5;  ///< and its base leans no farther from how it stands at the motion's end.
 };
 
 /// Returns for how long, until the end, the feet have touched the ground at rest, in s.
@@ -25,7 +25,7 @@ std::string objection_to_standing(const Robot& robot, const Reference& reference
                                   const Record& record, const StandingRule& rule);
 
 /// Returns whether a robot that does not stand still stays up all the same: over the rule's time
-/// until the end its base keeps the posture, its feet never leave the ground for as long as a
+/// until the end its base leans no farther, its feet never leave the ground for as long as a
 /// flight, and on average feet and centre of mass drift no faster than the rule allows. It
 /// trembles, as a regulator does that feeds back noise.
 bool stays_up(const Robot& robot, const Reference& reference, const Record& record,

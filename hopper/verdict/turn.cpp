@@ -36,6 +36,15 @@ Eigen::Matrix3d base_attitude(const dynamics::Tree& tree, const VectorXd& positi
       .toRotationMatrix();
 }
 
+AttitudeError attitude_error(const dynamics::Tree& tree, const VectorXd& wanted,
+                             const VectorXd& position) {
+  const Eigen::Quaterniond off(base_attitude(tree, position) *
+                               base_attitude(tree, wanted).transpose());
+  // A turn about an axis on the ground, then one about the vertical: the former is the lean.
+  return {2.0 * std::atan2(std::hypot(off.x(), off.y()), std::hypot(off.z(), off.w())),
+          2.0 * std::atan2(off.w() < 0.0 ? -off.z() : off.z(), std::abs(off.w()))};
+}
+
 Vector3d planned_turn_rad(const dynamics::Tree& tree, const Reference& reference, double period_s,
                           double until_s) {
   Vector3d sum = Vector3d::Zero();

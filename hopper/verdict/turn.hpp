@@ -9,6 +9,16 @@ namespace torquewright::hopper {
 /// one none.
 Eigen::Matrix3d base_attitude(const dynamics::Tree& tree, const Eigen::VectorXd& position);
 
+/// How one attitude of a base differs from another.
+struct AttitudeError {
+  double lean_rad = 0.0;     ///< Angle between their verticals: how far it leans, whichever way.
+  double heading_rad = 0.0;  ///< Turn about the world's vertical that brings them nearest, signed.
+};
+
+/// Returns by how much the base at a position is off that at a wanted one.
+AttitudeError attitude_error(const dynamics::Tree& tree, const Eigen::VectorXd& wanted,
+                             const Eigen::VectorXd& position);
+
 /// Returns how far the base has turned from the motion's begin until a time, as a sum of small
 /// turns in the world's axes, in rad: whole turns count. `period_s` is the time between the
 /// positions that are compared.

@@ -18,6 +18,10 @@ using Eigen::VectorXd;
 
 namespace {
 
+/// How much of what soft ground gives along its normal it creeps under friction: points of one foot
+/// that are sunk to different depths would else hold each other with all that friction allows.
+constexpr double kCreepShare = 0.01;
+
 /// No robot is so far away or so fast.
 bool is_sound(const VectorXd& numbers) {
   constexpr double kMost = 1e10;
@@ -52,8 +56,10 @@ TimeStepping::TimeStepping(MovingBodies& bodies, Obstacles obstacles)
   met_by_count_.resize(obstacles_.points.size() + obstacles_.stops.size() +
                        obstacles_.frictions.size() + 1);
   active_.reserve(obstacles_.points.size());
+  sunk_m_.reserve(obstacles_.points.size());
   active_stops_.reserve(obstacles_.stops.size());
-  gives_back_ = std::any_of(obstacles_.points.begin(), obstacles_.points.end(),
+  gives_back_ = obstacles_.time_constant_s == 0.0 &&
+                std::any_of(obstacles_.points.begin(), obstacles_.points.end(),
                             [](const GroundPoint& point) { return point.restitution > 0.0; });
   forget();
 }
@@ -118,11 +124,15 @@ TimeStepping::Outcome TimeStepping::place(const VectorXd& position, const Vector
 void TimeStepping::find_active() {
   const dynamics::TreeState& state = bodies_.state();
   active_.clear();
+  sunk_m_.clear();
   for (std::size_t i = 0; i < obstacles_.points.size(); ++i) {
     const GroundPoint& point = obstacles_.points[i];
     const Eigen::Vector3d place_m = dynamics::point_position_m(state, point.point);
     const double ground_m = obstacles_.ground_height_m + obstacles_.profile.height_m(place_m.x());
-    if (place_m.z() - point.radius_m <= ground_m) active_.push_back(i);
+    const double above_m = place_m.z() - point.radius_m - ground_m;
+    if (above_m > 0.0) continue;
+    active_.push_back(i);
+    sunk_m_.push_back(-above_m);
   }
   active_stops_.clear();
   const Index extra = middle_.size() - jump_.size();
@@ -335,6 +345,20 @@ void TimeStepping::respond() {
   }
 }
 
+/// What gives moves by its impulse alone, and back by how deep it is; eq. (8a).
+void TimeStepping::soften(double step_s) {
+  const double constant_s = obstacles_.time_constant_s;
+  const double lasts_s = 0.5 * step_s + 2.0 * constant_s;
+  for (std::size_t k = 0; k < active_.size(); ++k) {
+    const Index first = 3 * static_cast<Index>(k), normal = first + 2;
+    const double gives_1_kg =
+        met().problem.response_1_kg(normal, normal) * constant_s * constant_s / (step_s * lasts_s);
+    met().problem.response_1_kg.diagonal().segment<2>(first).array() += kCreepShare * gives_1_kg;
+    met().problem.response_1_kg(normal, normal) += gives_1_kg;
+    met().problem.free_m_s[normal] -= sunk_m_[k] / lasts_s;
+  }
+}
+
 bool TimeStepping::solve_active(double step_s) {
   fill_rows();
   if (met().impulses.size() == 0) return true;
@@ -342,6 +366,7 @@ bool TimeStepping::solve_active(double step_s) {
   constexpr double kShares[] = {1.0, 0.75, 0.5, 0.25, 0.0};
   for (const double share : kShares) {
     gather(share, step_s);
+    if (obstacles_.time_constant_s > 0.0) soften(step_s);
     const bool is_solved = solve_contacts(met().problem, met().newton, met().impulses);
     if (!gives_back_ || share == 0.0) return is_solved;
     if (is_solved && contact_work_J() <= 0.0) break;  // eq. (8)

@@ -21,14 +21,17 @@ struct Obstacles {
   /// The profile of the ground over that height. Its faces at the edges stop nothing: only what
   /// comes from above is met.
   GroundProfile profile = {};
+  /// Time constant with which the ground gives under each point, as a critically damped spring of
+  /// what the point feels of the bodies, that gives nothing back; 0: it is rigid.
+  double time_constant_s = 0.0;
 };
 
-/// Rigid bodies over rigid ground, step by step: Moreau's midpoint scheme, in which velocities jump
+/// Rigid bodies over the ground, step by step: Moreau's midpoint scheme, in which velocities jump
 /// and forces of contact are impulses of a step; without contact a Runge-Kutta step of fourth order
-/// (docs/derivations/time_stepping.md). No penalty, no stiffness: its one number is the step. Dry
-/// friction of joints is an impulse of the step too, and dampers act implicitly; a tree that has
-/// either does not fly by Runge-Kutta steps. A step takes no memory but where as many points, stops
-/// and frictions act together as never before.
+/// (docs/derivations/time_stepping.md). On rigid ground there is no penalty and no stiffness: its
+/// one number is the step. Dry friction of joints is an impulse of the step too, and dampers act
+/// implicitly; a tree that has either does not fly by Runge-Kutta steps. A step takes no memory but
+/// where as many points, stops and frictions act together as never before.
 class TimeStepping {
  public:
   enum class Outcome {
@@ -99,6 +102,7 @@ class TimeStepping {
   void answer_by_friction(double step_s);
   void fill_rows();
   void respond();
+  void soften(double step_s);
   bool solve_active(double step_s);
   void gather(double restitution_share, double step_s);
   double contact_work_J() const;
@@ -121,6 +125,7 @@ class TimeStepping {
   std::array<Stage, 4> stages_;
   Eigen::VectorXd stage_position_, rate_, acceleration_;
   std::vector<std::size_t> active_;  ///< Points that touch; in rows they come first.
+  std::vector<double> sunk_m_;       ///< How deep each of them is in the ground.
   /// Stops that act, behind the points: three rows each, of which the third is used.
   std::vector<std::size_t> active_stops_;
   Eigen::Matrix<double, 3, Eigen::Dynamic> jacobian_;  ///< Jacobian of one point.

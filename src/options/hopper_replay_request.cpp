@@ -55,8 +55,10 @@ void add_simulation_options(command_line::Command& command, HopperReplayRequest&
       .stated_as("ground_rise_m", kSurroundingsPlace);
   command
       .add_option("--ground-time-constant", request.contact_time_constant_s,
-                  "Time constant of MuJoCo's soft ground, in s (solref); the own engine's is rigid")
+                  "Time constant with which the ground gives, critically damped, in s; MuJoCo's "
+                  "solref")
       .between(1e-4, 1.0)
+      .otherwise("rigid in the own engine, 0.001 in MuJoCo")
       .stated_as("ground_time_constant_s", kGroundPlace);
   command
       .add_option("--push", request.pushes,
@@ -150,6 +152,11 @@ void add_verdict_options(command_line::Command& command, HopperReplayRequest& re
                   "By how much the base may have turned more or less than the motion's, in rad")
       .between(1e-3, 100.0)
       .stated_as("rotation_tolerance_rad", kTolerancesPlace);
+  command
+      .add_option("--heading-tolerance", deeds.heading_rad,
+                  "How far from the motion's last heading the base may face at the end, in rad")
+      .between(1e-3, 3.2)
+      .stated_as("heading_tolerance_rad", kTolerancesPlace);
   command
       .add_option("--joint-tolerance", deeds.joint_rad,
                   "How far a joint may be from the motion's last posture, in rad")

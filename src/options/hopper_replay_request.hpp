@@ -32,7 +32,7 @@ struct HopperReplayRequest {
   double latency_s = 0.0;
   double stand_s = 1.0;
   double ground_rise_m = 0.0;
-  double contact_time_constant_s = 0.001;
+  std::optional<double> contact_time_constant_s;
   std::vector<std::string> pushes;    ///< As read_pushes() takes them.
   std::string task;                   ///< Of a policy; empty: as its document says.
   std::optional<double> forward_m_s;  ///< Command to a policy or a controller that follows one.

@@ -414,7 +414,6 @@ TEST_F(HopperReplay, RefusesByName) {
   }
   expect_refusal({"--impact-window", "0.1"}, "belongs with --impact no_derivative or invariant");
   expect_refusal({"--impact-blend", "0.1"}, "belongs with --impact no_derivative or invariant");
-  expect_refusal({"--ground-time-constant", "0.01"}, "belongs with --engine mujoco");
   const Outcome other = place_.run(
       {"hopper", "replay", "specs/robot/rabbit.json", "specs/trajectory/hopper_squat.csv"});
   EXPECT_EQ(other.exit_code, 2) << other.out;

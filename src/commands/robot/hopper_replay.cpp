@@ -117,10 +117,6 @@ void require_effect(const HopperReplayRequest& request) {
                 handled);
   refuse_unless(is_handled, request.impact_blend_s == usual.impact_blend_s, "--impact-blend",
                 handled);
-  refuse_unless(hopper::engine_named(request.engine).has_soft_ground,
-                request.contact_time_constant_s == usual.contact_time_constant_s,
-                "--ground-time-constant",
-                "belongs with --engine mujoco: the own engine's ground is rigid");
 }
 
 /// What an engine cannot hold of a robot it says when it is made.

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -112,17 +113,31 @@ std::string error_words(const DriveReplay& drive) {
   return fmt::format("{:.3g} {}", drive.peak_tracking_error_rad, drive.moves_slide ? "m" : "rad");
 }
 
+namespace {
+
+/// Of the trials that did not do it, those that are up at the end.
+std::string up_words(const ReplayTrials& trials) {
+  const auto up =
+      std::count_if(trials.outcomes.begin(), trials.outcomes.end(), [](const auto& one) {
+        return one && (one->verdict == hopper::ReplayVerdict::kMissed ||
+                       one->verdict == hopper::ReplayVerdict::kTrembles);
+      });
+  return up == 0 ? "" : fmt::format("; {} of the others {} up", up, up == 1 ? "is" : "are");
+}
+
+}  // namespace
+
 std::string rate_words(const ReplayTrials& trials) {
   const TrialCounts counts = trials.counts();
   const ShareInterval interval = success_interval(counts);
   return fmt::format(
       "{} of {} randomised trials did it and stand: {:.1f} %, between {:.1f} and {:.1f} % with 95 "
-      "% confidence (seed {})",
+      "% confidence (seed {}){}",
       counts.succeeded, counts.done(),
       counts.done() > 0
           ? 100.0 * static_cast<double>(counts.succeeded) / static_cast<double>(counts.done())
           : 0.0,
-      100.0 * interval.least, 100.0 * interval.greatest, trials.seed);
+      100.0 * interval.least, 100.0 * interval.greatest, trials.seed, up_words(trials));
 }
 
 }  // namespace torquewright::report

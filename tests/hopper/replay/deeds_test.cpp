@@ -3,6 +3,7 @@
 // engine takes part.
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -296,6 +297,42 @@ TEST(ReplayDeeds, HopsAtACommandedSpeedAreJudgedByItWhicheverWayTheyFace) {
       EXPECT_NEAR(deed_named(outcome, "heading").done, turn_rad, 1e-9);
       EXPECT_EQ(outcome.verdict, verdict) << outcome.reason;
       EXPECT_NEAR(outcome.landings.back().planned_s, 1.4, 1e-12);
+    }
+  }
+}
+
+/// At the end leaning sideways by an angle, then turned about the vertical by another.
+Record ends_leaning(double lean_rad, double turn_rad) {
+  Record record = run_of({});
+  const Eigen::Quaterniond attitude =
+      Eigen::AngleAxisd(turn_rad, Eigen::Vector3d::UnitZ()) *
+      Eigen::Quaterniond(Eigen::AngleAxisd(lean_rad, Eigen::Vector3d::UnitX()));
+  for (RecordRow& row : record.rows) {
+    if (row.time_s < 1.4) continue;
+    row.position.segment<4>(3) << attitude.w(), attitude.x(), attitude.y(), attitude.z();
+  }
+  return record;
+}
+
+// A robot that faces elsewhere has not fallen, however far it is turned; one that leans has.
+TEST(ReplayDeeds, WhichWayItFacesIsADeedAndHowFarItLeansIsAFall) {
+  const auto judge = [](double lean_rad, double turn_rad, const DeedTolerances& within) {
+    const Reference motion = motion_of({});
+    return outcome_of(deed_robot(), motion, flights_of(motion), ends_leaning(lean_rad, turn_rad),
+                      {{}, within});
+  };
+  DeedTolerances anywhere;
+  anywhere.place_m = 1.0;
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_EQ(judge(0.45, 0.45 * sign, anywhere).verdict, ReplayVerdict::kStands);
+    EXPECT_EQ(judge(0.55, 0.0, anywhere).verdict, ReplayVerdict::kFell);
+    for (const double turn_rad : {0.6, 1.7, 3.0}) {
+      const ReplayOutcome outcome = judge(0.2, turn_rad * sign, anywhere);
+      EXPECT_EQ(outcome.verdict, ReplayVerdict::kMissed);
+      EXPECT_NEAR(deed_named(outcome, "heading").done, turn_rad * sign, 1e-9);
+      anywhere.heading_rad = 3.1;
+      EXPECT_EQ(judge(0.2, turn_rad * sign, anywhere).verdict, ReplayVerdict::kStands);
+      anywhere.heading_rad = 0.5;
     }
   }
 }

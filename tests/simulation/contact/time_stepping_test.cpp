@@ -35,9 +35,9 @@ GroundPoint at(const Vector3d& place_m, double friction, double restitution = 0.
 
 /// A body under way.
 struct Bench {
-  Bench(const dynamics::Tree& tree, std::vector<GroundPoint> points)
+  Bench(const dynamics::Tree& tree, std::vector<GroundPoint> points, double time_constant_s = 0.0)
       : bodies(tree),
-        stepping(bodies, {.points = std::move(points)}),
+        stepping(bodies, {.points = std::move(points), .time_constant_s = time_constant_s}),
         position(dynamics::zero_position(tree)),
         velocity(VectorXd::Zero(tree.velocity_size())),
         force(velocity) {}
@@ -56,6 +56,24 @@ struct Bench {
   TimeStepping stepping;
   VectorXd position, velocity, force;
 };
+
+// What falls at v on a critically damped spring of time constant T sinks by z(t) = g T^2 +
+// (a + b t) exp(-t/T), a = -g T^2, b = v + a/T, and comes to rest g T^2 deep.
+TEST(TimeStepping, SoftGroundGivesAsItsSpringDoes) {
+  constexpr double kConstant_s = 0.01, kStep_s = 1e-5, kSpeed_m_s = 1.0;
+  const dynamics::Tree tree = one_body(BaseKind::kSpatial, {0.1, 0.1, 0.1});
+  Bench bench(tree, {at({0.0, 0.0, 0.0}, 0.5, 0.9)}, kConstant_s);
+  bench.velocity[2] = -kSpeed_m_s;
+  const double rests_m = kGravity_m_s2 * kConstant_s * kConstant_s;
+  const double a = -rests_m, b = kSpeed_m_s + a / kConstant_s;
+  for (int i = 1; i <= 20000; ++i) {
+    bench.step(kStep_s);
+    const double t = i * kStep_s;
+    const double sunk_m = rests_m + (a + b * t) * std::exp(-t / kConstant_s);
+    ASSERT_NEAR(-bench.position[2], sunk_m, 3e-3 * kSpeed_m_s * kConstant_s) << t;
+  }
+  EXPECT_NEAR(-bench.position[2], rests_m, 1e-3 * rests_m);
+}
 
 // Falls from h, bounces to e^2 h: impacts at t_0 = sqrt(2 h/g) and 2 e t_0 later.
 TEST(Ball, BouncesAsItsRestitutionSays) {
