@@ -6,8 +6,8 @@
 
 namespace torquewright::hopper {
 
-/// Judges which way the base faces at a position, beside how it does at a wanted one; of whole turns
-/// nothing is left.
+/// Judges which way the base faces at a position, beside how it does at a wanted one; of whole
+/// turns nothing is left.
 Deed heading_deed(const dynamics::Tree& tree, const Eigen::VectorXd& wanted,
                   const Eigen::VectorXd& position, double tolerance_rad);
 
