@@ -46,17 +46,6 @@ std::string what_it_has(const FloorRecord& floor, const Problem& problem,
   return std::string(floor.name);
 }
 
-std::vector<Demand> floors_of(const Problem& problem) {
-  std::vector<Demand> list;
-  for (const FloorRecord& floor : kFloors) {
-    if (!(problem.floors.*floor.limit)) continue;
-    list.push_back({std::string(floor.name), std::string(floor.key.substr(1)),
-                    [&floor](Problem& each) { (each.floors.*floor.limit).reset(); },
-                    [&](const SizedDesign& sized) { return what_it_has(floor, problem, sized); }});
-  }
-  return list;
-}
-
 Demand face_widths() {
   return {"face_width", "limits of face widths",
           [](Problem& each) {
@@ -78,6 +67,18 @@ Demand load() {
           [](const SizedDesign&) { return std::string("its teeth bear next to nothing"); }};
 }
 
+/// The load first: where it has no part, searches without it end soon.
+std::vector<Demand> all_demands(const Problem& problem) {
+  std::vector<Demand> list{load(), face_widths()};
+  for (const FloorRecord& floor : kFloors) {
+    if (!(problem.floors.*floor.limit)) continue;
+    list.push_back({std::string(floor.name), std::string(floor.key.substr(1)),
+                    [&floor](Problem& each) { (each.floors.*floor.limit).reset(); },
+                    [&](const SizedDesign& sized) { return what_it_has(floor, problem, sized); }});
+  }
+  return list;
+}
+
 ConflictMember member(const Demand& demand, const SizedDesign& sized, bool is_open) {
   return {
       demand.name, sized.design,
@@ -89,14 +90,33 @@ ConflictMember member(const Demand& demand, const SizedDesign& sized, bool is_op
 
 }  // namespace
 
+std::vector<std::string> demands_of(const Problem& problem) {
+  std::vector<std::string> names;
+  for (const Demand& demand : all_demands(problem)) names.push_back(demand.name);
+  return names;
+}
+
+Problem without_demand(const Problem& problem, const std::string& name) {
+  Problem without = problem;
+  for (const Demand& demand : all_demands(problem)) {
+    if (demand.name == name) demand.leave_out(without);
+  }
+  return without;
+}
+
+ConflictMember conflict_member(const Problem& problem, const std::string& demand,
+                               const SizedDesign& without_it) {
+  for (const Demand& each : all_demands(problem)) {
+    if (each.name == demand) return member(each, without_it, is_topology_open(problem));
+  }
+  return {demand, without_it.design, ""};
+}
+
 std::optional<std::vector<ConflictMember>> floor_conflict(const Problem& problem,
                                                           const SynthesisOptions& options) {
-  std::vector<Demand> demands = floors_of(problem);
-  // The load first: where it has no part, searches without it end soon.
-  demands.insert(demands.begin(), {load(), face_widths()});
   std::vector<ConflictMember> members;
   Problem kept = problem;
-  for (const Demand& demand : demands) {
+  for (const Demand& demand : all_demands(problem)) {
     Problem without = kept;
     demand.leave_out(without);
     const SynthesisResult found = any_design(without, options);

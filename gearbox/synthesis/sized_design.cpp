@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/strength/tooth_load.hpp"
@@ -117,13 +118,12 @@ bool set_widths(SizedDesign& sized) {
 
 }  // namespace
 
-SizedDesign sized_design(const Problem& problem, const LayerModules& modules,
-                         const TrainChoice& choice, const std::array<double, 3>& point) {
+SizedDesign sized_design(const Problem& problem, const Design& shifted) {
   SizedDesign sized;
-  sized.design = design_of(train_parts(problem.topology), modules, choice);
+  sized.design = shifted;
   sized.problem = problem;
-  offer_all_modules(modules, sized.problem);
-  if (!set_shifts(problem, point, sized.design) || !set_widths(sized)) {
+  offer_all_modules(layer_modules(problem), sized.problem);
+  if (!set_widths(sized)) {
     sized.objection = kDoNotMesh;
     return sized;
   }
@@ -140,6 +140,17 @@ SizedDesign sized_design(const Problem& problem, const LayerModules& modules,
     sized.objection = "strength";
   }
   return sized;
+}
+
+SizedDesign sized_design(const Problem& problem, const LayerModules& modules,
+                         const TrainChoice& choice, const std::array<double, 3>& point) {
+  Design design = design_of(train_parts(problem.topology), modules, choice);
+  if (set_shifts(problem, point, design)) return sized_design(problem, design);
+  SizedDesign none;
+  none.design = std::move(design);
+  none.problem = problem;
+  none.objection = kDoNotMesh;
+  return none;
 }
 
 }  // namespace torquewright::gearbox

@@ -22,7 +22,11 @@ struct SizedDesign {
   std::string objection;  ///< Name of the first thing that it violates; empty: it is a design.
 };
 
-/// The design at a point of the inner problem. Face widths are rounded up to a nanometre.
+/// The design with these shifts; a problem of one topology. Face widths are rounded up to a
+/// nanometre.
+SizedDesign sized_design(const Problem& problem, const Design& shifted);
+
+/// The same at a point of the inner problem.
 SizedDesign sized_design(const Problem& problem, const LayerModules& modules,
                          const TrainChoice& choice, const std::array<double, 3>& point);
 

@@ -11,6 +11,7 @@
 #include "gearbox/search/certificate_spec.hpp"
 #include "gearbox/search/result_spec.hpp"
 #include "gearbox/strength/problem_strength.hpp"
+#include "gearbox/synthesis/floor_conflict.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -49,13 +50,23 @@ ordered_json sized_json(const Problem& problem, const SizedDesign& sized) {
   return design;
 }
 
+/// What a conflict's design needs to be judged again.
+ordered_json shifted_json(const Topology& topology, const Design& design) {
+  ordered_json json = design_json(topology, design);
+  for (std::size_t i = 0; i < design.profile_shift.size(); ++i) {
+    json["profile_shift"][std::string(topology.gears[i])] = design.profile_shift[i];
+  }
+  if (design.layer_2_module_mm) json["layer_2_module_mm"] = io::nearest(*design.layer_2_module_mm);
+  return json;
+}
+
 ordered_json conflict_json(const Problem& problem, const SynthesisResult& found) {
   ordered_json list = ordered_json::array();
   if (!found.conflict) return list;
   for (const ConflictMember& member : *found.conflict) {
     const std::string& own = member.topology.empty() ? problem.topology : member.topology;
     list.push_back({{"constraint", member.constraint},
-                    {"without_it", design_json(*find_topology(own), member.without_it.value())},
+                    {"without_it", shifted_json(*find_topology(own), member.without_it.value())},
                     {"sentence", member.sentence}});
     if (!member.topology.empty()) list.back()["topology"] = member.topology;
   }
@@ -80,6 +91,39 @@ ordered_json topologies_json(const SynthesisResult& found) {
                     {"bound", finite_or_null(answer.bound_kg)},
                     {"choices", answer.choices},
                     {"sentence", topology_sentence(answer)}});
+  }
+  return list;
+}
+
+/// What is known of one topology: that nothing beats a bound, or that there is no design.
+ordered_json sized_claim_json(const Problem& problem, const TopologyAnswer& answer,
+                              const std::vector<std::string>& left_out) {
+  ordered_json claim{{"topology", answer.topology},
+                     {"quantity", objective_name(problem.objective)},
+                     {"bound", finite_or_null(answer.bound_kg)},
+                     {"choices", answer.choices}};
+  if (answer.status == SynthesisStatus::kInfeasible) claim["left_out"] = left_out;
+  return claim;
+}
+
+/// Demands that have no part in the conflict: without them too there is no design.
+std::vector<std::string> left_out(const Problem& problem, const SynthesisResult& found) {
+  if (found.status != SynthesisStatus::kInfeasible || !found.conflict) return {};
+  std::vector<std::string> names = demands_of(problem);
+  for (const ConflictMember& member : *found.conflict) std::erase(names, member.constraint);
+  return names;
+}
+
+ordered_json sized_claims_json(const Problem& problem, const SynthesisResult& found) {
+  std::vector<TopologyAnswer> answers = found.topologies;
+  if (answers.empty()) {
+    answers.push_back({problem.topology, found.status, {}, found.bound_kg, found.choices, {}});
+  }
+  const std::vector<std::string> without = left_out(problem, found);
+  ordered_json list = ordered_json::array();
+  for (const TopologyAnswer& answer : answers) {
+    if (answer.status != SynthesisStatus::kInfeasible && !(answer.bound_kg > 0.0)) continue;
+    list.push_back(sized_claim_json(problem, answer, without));
   }
   return list;
 }
@@ -139,6 +183,7 @@ ordered_json synthesis_json(const Problem& problem, const SynthesisResult& found
     result["search"]["excluded_by"][name] = count;
   }
   result["certificate"] = certificate_json(topologies().front(), {});
+  result["certificate"]["sized_claims"] = sized_claims_json(problem, found);
   result["held_fixed"] = held_fixed_by_synthesis(found.best ? found.best->problem : problem);
   result["not_asked"] = not_asked_by_synthesis();
   return result;

@@ -15,7 +15,7 @@ std::string topology_sentence(const TopologyAnswer& answer);
 std::vector<std::string> not_asked_by_synthesis();
 
 /// Writes a document of kind `gearbox_result` without its provenance ("problem", "tool", "inputs").
-/// Its certificate holds no claims yet.
+/// Its certificate holds `sized_claims` (docs/certificate.md).
 nlohmann::ordered_json synthesis_json(const Problem& problem, const SynthesisResult& result);
 
 }  // namespace torquewright::gearbox

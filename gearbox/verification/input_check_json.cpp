@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "gearbox/synthesis_defaults_spec.hpp"
 #include "gearbox/verification/difference_json.hpp"
 #include "io/documents/document.hpp"
 #include "io/files/file_bytes.hpp"
@@ -32,7 +33,7 @@ void check_file(const Json& problem, const std::string& file, const std::string&
                              file));
       return;
     }
-    const io::Document document = io::read_document(file, "gearbox_problem");
+    const io::Document document = read_problem_document(file);
     if (const auto difference = first_difference(problem, document.root, "/problem")) {
       faults.add(difference->pointer, fmt::format("{} as in {}", difference->sentence, file));
     }
@@ -43,7 +44,7 @@ void check_file(const Json& problem, const std::string& file, const std::string&
 
 }  // namespace
 
-InputCheck check_input(const Json& result, proof::Faults& faults) {
+InputCheck check_input(const Json& result, const Json& problem, proof::Faults& faults) {
   const Json& inputs = result["inputs"];
   if (inputs.size() != 1) {
     faults.add("/inputs", "is no list of one file, the problem's");
@@ -61,7 +62,7 @@ InputCheck check_input(const Json& result, proof::Faults& faults) {
             fmt::format("{} is not here: this is about the problem as the result gives it", file)};
   }
   const std::size_t before = faults.count();
-  check_file(result["problem"], file, sha256, faults);
+  check_file(problem, file, sha256, faults);
   if (faults.count() != before) return {};
   return {true, fmt::format("{} is the file that was read, by its SHA-256, and holds this problem",
                             file)};

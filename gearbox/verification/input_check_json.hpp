@@ -8,13 +8,14 @@
 
 namespace torquewright::gearbox {
 
-/// Whether "problem" is what the file named in "inputs" holds. Paths are as they were given, from
+/// Whether a problem is what the file named in "inputs" holds. Paths are as they were given, from
 /// the folder that the command runs in. Returns a sentence: what was found equal, or that there is
 /// no such file, so that nothing was compared; empty after a fault.
 struct InputCheck {
   bool is_compared = false;
   std::string sentence;
 };
-InputCheck check_input(const nlohmann::json& result, proof::Faults& faults);
+InputCheck check_input(const nlohmann::json& result, const nlohmann::json& problem,
+                       proof::Faults& faults);
 
 }  // namespace torquewright::gearbox

@@ -11,6 +11,7 @@
 #include "gearbox/verification/input_check_json.hpp"
 #include "gearbox/verification/restatement_json.hpp"
 #include "gearbox/verification/search_record_json.hpp"
+#include "gearbox/verification/sized_verification_json.hpp"
 #include "io/documents/provenance.hpp"
 
 namespace torquewright::gearbox {
@@ -47,6 +48,7 @@ void compare_versions(const Json& result, Verification& verification) {
 
 Verification verify(const Problem& problem, const Json& result,
                     const std::function<bool()>& should_stop) {
+  if (problem.synthesis) return verify_synthesis(problem, result, should_stop);
   proof::Verdict verdict = proof::check_certificate(problem, result, should_stop);
   Verification verification;
   verification.is_undecided = verdict.undecided;
@@ -59,7 +61,7 @@ Verification verify(const Problem& problem, const Json& result,
   proof::Faults faults;
   check_statements(problem, result, verification.counts, faults);
   if (faults.count() == 0) check_search_record(result, verification.counts, faults);
-  const InputCheck input = check_input(result, faults);
+  const InputCheck input = check_input(result, result["problem"], faults);
   verification.faults = faults.take();
   compare_versions(result, verification);
   if (!input.is_compared && !input.sentence.empty()) {

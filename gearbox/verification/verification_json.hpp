@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct Verification {
   bool is_ended = false;      ///< Told to stop: nothing of the above is known.
   std::string claim;          ///< What is proved, in words; empty unless accepted.
   proof::Counts counts;
+  /// Of a synthesis: choices of teeth, planets and modules of which the claims were proved anew;
+  /// its boxes are `counts.nodes`.
+  std::optional<std::int64_t> choices = {};
   std::vector<std::string> checked;    ///< Sentences, beside the proof.
   std::vector<std::string> unchecked;  ///< What could not be compared, and why.
   std::vector<std::string> faults;     ///< `JSON pointer: sentence`
@@ -27,7 +31,8 @@ struct Verification {
 /// Checks the certificate, without the search; then compares everything else in the result with a
 /// fresh evaluation of the proved designs, the counts with the proof, and the problem with the file
 /// it was read from, if that is there. Requires a document of the shape of a `gearbox_result`, and
-/// its problem. For `should_stop` see proof::check_certificate.
+/// its problem. Of a synthesis see sized_verification_json.hpp. For `should_stop` see
+/// proof::check_certificate.
 [[nodiscard]] Verification verify(
     const Problem& problem, const nlohmann::json& result,
     const std::function<bool()>& should_stop = [] { return false; });

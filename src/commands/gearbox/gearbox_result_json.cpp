@@ -4,12 +4,14 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "gearbox/problem_spec.hpp"
 #include "gearbox/search/result_spec.hpp"
 #include "gearbox/strength/problem_strength.hpp"
 #include "io/documents/json_reader.hpp"
 #include "io/files/file_bytes.hpp"
 #include "src/commands/shared/result_json.hpp"
 #include "src/commands/shared/stated_json.hpp"
+#include "src/interrupt.hpp"
 #include "src/report/gearbox/proof_json.hpp"
 
 namespace torquewright::cli {
@@ -47,6 +49,13 @@ std::string with_verdict(const std::string& result, const gearbox::Verification&
   nlohmann::ordered_json printed = nlohmann::ordered_json::parse(result);
   printed["verification"] = report::proof_json(check);
   return io::json_text(printed);
+}
+
+gearbox::Verification verified_result(const std::string& text) {
+  const nlohmann::json result = as_read(text);
+  const io::Document problem =
+      io::check_document(result["problem"], "gearbox_problem", "the result", "/problem");
+  return gearbox::verify(gearbox::read_open_problem(problem), result, is_interrupted);
 }
 
 io::Document read_result(const std::string& file) {

@@ -27,6 +27,9 @@ std::string optimization_json(const OptimizeRequest& request, const ReadProblem&
 std::string evaluation_json(const ReadProblem& read, const gearbox::DesignReport& report,
                             const gearbox::Standing& standing);
 
+/// What `gearbox verify` would find of a result of a synthesis.
+gearbox::Verification verified_result(const std::string& text);
+
 /// A result as it is printed after a check: a file does not vouch for itself, what is printed does.
 std::string with_verdict(const std::string& result, const gearbox::Verification& check);
 

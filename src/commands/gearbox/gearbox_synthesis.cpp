@@ -9,12 +9,16 @@
 
 #include "gearbox/synthesis/floor_conflict.hpp"
 #include "gearbox/synthesis/synthesis.hpp"
+#include "gearbox/verification/verification_json.hpp"
 #include "io/faults/refusal.hpp"
 #include "src/commands/gearbox/design_drawing.hpp"
 #include "src/commands/gearbox/gearbox_outputs.hpp"
+#include "src/commands/gearbox/gearbox_result_json.hpp"
 #include "src/commands/gearbox/synthesis_result_json.hpp"
+#include "src/interrupt.hpp"
 #include "src/loudness.hpp"
 #include "src/report/gearbox/design_text.hpp"
+#include "src/report/gearbox/proof_text.hpp"
 #include "src/report/gearbox/synthesis_text.hpp"
 #include "src/report/parts/progress_line.hpp"
 #include "src/window_text.hpp"
@@ -26,9 +30,6 @@ using gearbox::SynthesisResult;
 using gearbox::SynthesisStatus;
 
 void refuse_unknown_options(const OptimizeRequest& request) {
-  if (request.verify) {
-    io::refuse("--verify", "cannot check a synthesis yet: its certificate holds no claims");
-  }
   if (request.top != 1) io::refuse("--top", "a synthesis seeks one design");
   if (request.relaxation != "auto") {
     io::refuse("--relaxation",
@@ -75,17 +76,28 @@ ExitCode run_synthesis(const OptimizeRequest& request, const ReadProblem& read,
   const auto start = std::chrono::steady_clock::now();
   const SynthesisResult found = synthesised(request, read.problem, is_over);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  const std::string json = synthesis_result_json(request, read, found, seconds.count());
+  std::string json = synthesis_result_json(request, read, found, seconds.count());
   const bool has_all = request.all || loudness().is_verbose;
   std::string text = report::synthesis_text(read.problem, found, has_all);
   if (request.timing) text += fmt::format("Search time: {:.4f} s\n", seconds.count());
+  std::optional<gearbox::Verification> check;
+  if (request.verify) {
+    catch_interrupt();  // what ended the search does not end the check
+    check = verified_result(json);
+    text += report::proof_text(*check);
+  }
   if (found.best && !has_all) text += report::next_text(request.problem_file, found.best->problem);
   std::optional<std::string> drawing;
   if (!request.outputs.drawing.empty() && found.best) {
     drawing = drawing_of(found.best->problem, found.best->design);
   }
   write_outputs(request.outputs, json, drawing,
-                request.json ? json : for_window(text, report::synthesis_answer(found)));
+                !request.json ? for_window(text, report::synthesis_answer(found))
+                : check       ? with_verdict(json, *check)
+                              : json);
+  if (check && !check->is_accepted) {
+    return check->is_ended ? ExitCode::kUndecided : ExitCode::kFails;
+  }
   return exit_code_of(found.status);
 }
 

@@ -16,7 +16,9 @@ std::string synthesis_result_json(const OptimizeRequest& request, const ReadProb
   nlohmann::ordered_json result = gearbox::synthesis_json(read.problem, found);
   if (request.timing) result["search"]["seconds"] = seconds;
   const bool is_chosen = gearbox::is_topology_open(read.problem) && found.best;
-  // As the topology that was chosen has it, for whoever reads the design.
+  // As the topology that was chosen has it, for whoever reads the design; claims are about the
+  // problem as it was asked.
+  if (is_chosen) result["certificate"]["asked"] = read.document.root;
   result["problem"] = is_chosen
                           ? gearbox::as_topology(read.document.root,
                                                  gearbox::train_parts(found.best->problem.topology))

@@ -20,12 +20,15 @@ nlohmann::ordered_json counts_json(const gearbox::proof::Counts& counts) {
 }  // namespace
 
 nlohmann::ordered_json proof_json(const gearbox::Verification& found) {
-  return {{"kind", "verification_report"}, {"version", 1},
-          {"accepted", found.is_accepted}, {"undecided", found.is_undecided},
-          {"ended", found.is_ended},       {"proved", found.is_proved},
-          {"claim", found.claim},          {"counts", counts_json(found.counts)},
-          {"checked", found.checked},      {"unchecked", found.unchecked},
-          {"faults", found.faults}};
+  nlohmann::ordered_json report{
+      {"kind", "verification_report"}, {"version", 1},
+      {"accepted", found.is_accepted}, {"undecided", found.is_undecided},
+      {"ended", found.is_ended},       {"proved", found.is_proved},
+      {"claim", found.claim},          {"counts", counts_json(found.counts)},
+      {"checked", found.checked},      {"unchecked", found.unchecked},
+      {"faults", found.faults}};
+  if (found.choices) report["counts"]["choices"] = *found.choices;
+  return report;
 }
 
 }  // namespace torquewright::report

@@ -8,7 +8,13 @@ namespace {
 
 using gearbox::Verification;
 
-std::string counts_text(const gearbox::proof::Counts& counts) {
+std::string counts_text(const Verification& found) {
+  const gearbox::proof::Counts& counts = found.counts;
+  if (found.choices) {
+    return fmt::format(
+        "  {} choices of teeth, planets and modules, {} boxes of centre distances and shifts\n",
+        *found.choices, counts.nodes);
+  }
   return fmt::format(
       "  {} boxes (parts of the space of designs), cut {} times, split {} times; left at the end: "
       "{} empty, {} enumerated ({} designs), {} closed by a relaxation, {} open\n",
@@ -21,10 +27,11 @@ std::string verdict_words(const Verification& found) {
     return fmt::format("ended: only {} boxes of the proof were checked.\n", found.counts.nodes);
   }
   if (found.is_accepted) {
-    return fmt::format(
-        "accepted{}: {}\nChecked with exact fractions and intervals, without the "
-        "search:\n{}",
-        found.is_undecided ? ", as undecided" : "", found.claim, counts_text(found.counts));
+    return fmt::format("accepted{}: {}\nChecked with {}, without the search:\n{}",
+                       found.is_undecided ? ", as undecided" : "", found.claim,
+                       found.choices ? "enclosures of affine arithmetic, rounded outward"
+                                     : "exact fractions and intervals",
+                       counts_text(found));
   }
   if (found.is_proved) {
     return "rejected: the proof is valid, but the result says more that is not true:\n";
