@@ -165,8 +165,9 @@ Affine arc_tangent(const Affine& a) {
     return bent(a, false, value, slope,
                 [](double s) { return std::sqrt(std::max(0.0, 1.0 / s - 1.0)); });
   }
+  if (a.high <= 0.0) return -arc_tangent(-a);
   const double flattest = std::min(slope(a.low), slope(a.high));
-  return sloped(a, value, {a.high < 0.0 ? 0.0 : flattest, 1.0}, range_of(a, value));
+  return sloped(a, value, {outward_down(flattest), 1.0}, range_of(a, value));
 }
 
 Affine sine(const Affine& a) {

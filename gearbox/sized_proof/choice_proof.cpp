@@ -91,9 +91,50 @@ class ChoiceProof {
     constexpr int kMostRounds = 12;
     for (int round = 0; round < kMostRounds; ++round) {
       if (!keep_open_pairs(node)) return true;
+      if (is_contradicted(node)) return false;
       if (!split_tall_cells(node)) break;
     }
     return holds_of_halves(node);
+  }
+
+  /// By a lighter design amid the first pair of cells that is open, or by more cells than a true
+  /// claim leaves: where designs of interest fill a box, no splitting closes it.
+  bool is_contradicted(const Node& node) const {
+    constexpr std::size_t kMostCells = 3000;
+    if (node.cells[0].size() + node.cells[1].size() > kMostCells) return true;
+    const CellBox& first = first_open_[0];
+    const CellBox& second = first_open_[1];
+    const double centre_mm =
+        0.5 * (std::max(first[0].low, second[0].low) + std::min(first[0].high, second[0].high));
+    return is_lighter_design({centre_mm, first[1].middle(), second[1].middle()});
+  }
+
+  /// Of numbers, not of enclosures: it ends a proof, it makes none.
+  bool is_lighter_design(const std::array<double, kPlaces>& point) const {
+    double kg = 0.0, mm = 0.0, kg_m2 = 0.0;
+    std::array<double, 3> efficiency{1.0, 1.0, 1.0};
+    for (std::size_t layer = 0; layer < (teeth_.has_second_layer() ? 2U : 1U); ++layer) {
+      const auto terms = layer_terms(teeth_, layer, point[0], point[1 + layer], demands_);
+      for (const double margin : terms.margins) {
+        if (!(margin >= 0.0)) return false;
+      }
+      double width_mm = 0.0;
+      for (const double each : terms.width_mm) {
+        if (!(each < kInfinity)) return false;
+        width_mm = std::max(width_mm, each);
+      }
+      if (width_mm > teeth_.widest_mm[layer]) return false;
+      kg += width_mm * terms.kg_per_mm;
+      if (demands_.inertia) kg_m2 += width_mm * terms.kg_m2_per_mm;
+      mm += width_mm;
+      if (layer == 0) efficiency[0] = terms.efficiency[0];
+      efficiency[1 + layer] = terms.efficiency[1];
+    }
+    const bool is_clear =
+        !teeth_.is_sun_below || sun_clearance_mm(teeth_, point[1], point[2]) > 0.0;
+    return is_clear && kg < claim_.bound_kg && kg_m2 <= most_kg_m2_ &&
+           (!claim_.axial_length_mm || mm <= *claim_.axial_length_mm) &&
+           (!demands_.efficiency || is_efficient(efficiency, 0.0));
   }
 
   bool holds_of_halves(const Node& node) {
@@ -156,6 +197,7 @@ class ChoiceProof {
     for (std::size_t i = 0; i < node.cells[0].size(); ++i) {
       for (std::size_t j = 0; j < node.cells[1].size(); ++j) {
         if (is_closed(node.cells[0][i], node.cells[1][j])) continue;
+        if (!is_any) first_open_ = {node.cells[0][i].box, node.cells[1][j].box};
         is_open[0][i] = is_open[1][j] = is_any = true;
       }
     }
@@ -191,19 +233,20 @@ class ChoiceProof {
   }
   /// A train loses less where a mesh does.
   bool is_too_lossy(const LayerCell& first, const LayerCell& second) const {
-    if (!demands_.efficiency) return false;
+    return demands_.efficiency &&
+           !is_efficient({first.efficiency[0], first.efficiency[1], second.efficiency[1]}, kShare);
+  }
+  /// Of the meshes with the sun, and with the ring of each layer.
+  bool is_efficient(const std::array<double, 3>& efficiency, double slack) const {
     std::vector<double> meshes;
     for (const gearbox::MeshedGears& mesh : parts_.meshes) {
-      const bool is_second = parts_.gear_layers[mesh.gear_2] == 1;
-      const double at_most = parts_.is_ring(mesh.gear_2)
-                                 ? (is_second ? second.efficiency[1] : first.efficiency[1])
-                                 : first.efficiency[0];
-      if (!(at_most > 0.0)) return true;
-      meshes.push_back(at_most);
+      const std::size_t layer = parts_.gear_layers[mesh.gear_2];
+      meshes.push_back(efficiency[parts_.is_ring(mesh.gear_2) ? 1 + layer : 0]);
+      if (!(meshes.back() > 0.0)) return false;
     }
     const TrainEfficiency best = train_efficiency(parts_, real_teeth_, meshes);
-    return best.forward < claim_.forward_efficiency.value_or(-1.0) - kShare ||
-           best.backward < claim_.backward_efficiency.value_or(-1.0) - kShare;
+    return best.forward >= claim_.forward_efficiency.value_or(-1.0) - slack &&
+           best.backward >= claim_.backward_efficiency.value_or(-1.0) - slack;
   }
 
   bool is_outweighed(const LayerCell& first, const LayerCell& second,
@@ -290,6 +333,7 @@ class ChoiceProof {
   Demands demands_;
   std::vector<double> real_teeth_;
   double most_kg_m2_ = kInfinity;
+  std::array<CellBox, 2> first_open_{};  ///< Of the last node that was asked.
 };
 
 }  // namespace
