@@ -4,6 +4,8 @@
 
 robot_rates.py GENERATOR TORQUEWRIGHT CLASS FIRST_SEED COUNT [FOLDER]
 
+CLASS:EFFECT asks for logs in which that effect is missing.
+
 GENERATOR is tests/oracles/robot_bench; its documents go to torquewright identify, and what that
 says of each joint and of the load is compared with the truth. One line for each log, then the
 counts with Wilson's interval at 95 %. Files stay in FOLDER/CLASS_SEED where FOLDER is given, and
@@ -212,7 +214,9 @@ def identify(torquewright, truth, folder):
 def run(generator, torquewright, kind, seed, folder):
     answered = os.path.exists(os.path.join(folder, "answer.json"))
     if not answered:
-        subprocess.run([generator, kind, str(seed), folder], check=True, stdout=subprocess.DEVNULL)
+        name, _, effect = kind.partition(":")
+        command = [generator, name, str(seed), folder] + ([effect] if effect else [])
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     with open(os.path.join(folder, "truth.json")) as file:
         truth = json.load(file)
     truth["stated"] = stated_values(folder, truth)

@@ -67,6 +67,7 @@ Scene with_effect(const Scene& scene, const Effect& effect) {
 
 /// With a servo's unknown gain a factor on the torque says nothing; delays are for the loop.
 std::vector<std::string> names_for(const Situation& it) {
+  if (!it.only.empty()) return {it.only};
   std::vector<std::string> names;
   for (const std::string& name : effect_names()) {
     const bool scales = name == "torque_constant_error";

@@ -237,14 +237,18 @@ std::vector<double> differences_rad(const Scene& one, const Scene& other,
 }
 
 Situation draw_situation(const std::string& kind, std::uint64_t seed,
-                         const std::filesystem::path& data) {
+                         const std::filesystem::path& data, const std::string& only) {
   const auto kinds = class_names();
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
     throw std::invalid_argument("no such class: " + kind);
+  const auto effects = effect_names();
+  if (!only.empty() && std::find(effects.begin(), effects.end(), only) == effects.end())
+    throw std::invalid_argument("no such effect: " + only);
   Draws draws(seed * 1000003 + static_cast<std::uint64_t>(
                                    std::find(kinds.begin(), kinds.end(), kind) - kinds.begin()));
   Situation it;
   it.kind = kind;
+  it.only = only;
   it.stated.robot = draw_robot(draws, wanted_by(kind), data);
   for (const std::string& name : it.stated.robot.moved()) it.stated.laws[name] = Laws{};
   auto heavy = weights(it.stated, draws);

@@ -40,6 +40,7 @@ struct Situation {
   double servo_guess = 1;
   bool uses_patterns = false;
   std::vector<std::string> uncertain;
+  std::string only;  ///< What may be missing of the drives; empty: anything.
 
   std::vector<Effect> missing;
   Json outside, load;
@@ -48,9 +49,10 @@ struct Situation {
   std::map<std::string, double> floors_by_joint;  ///< Of all together.
 };
 
-/// Classes: none, one, alike, two, load, outside, gantry. Throws std::invalid_argument.
+/// Classes: none, one, alike, two, load, outside, gantry. `only`: the effect that is missing;
+/// empty: any. Throws std::invalid_argument.
 Situation draw_situation(const std::string& kind, std::uint64_t seed,
-                         const std::filesystem::path& data);
+                         const std::filesystem::path& data, const std::string& only = "");
 
 /// Root mean square, joint by joint, between two scenes under the same commands.
 std::vector<double> differences_rad(const Scene& one, const Scene& other, const Commands& commands);
