@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "io/text/one_line.hpp"
 
 namespace torquewright::hopper {
@@ -155,6 +157,38 @@ static inline void policy_action(const float* observation, float* action) {{
                      calls_text(policy.layers, "layer_", "shown", "action"));
 }
 
+bool has_course(const PolicyDocument& document) {
+  return std::any_of(document.outputs.begin(), document.outputs.end(),
+                     [](const PolicyOutput& output) { return !output.course.empty(); });
+}
+
+/// The courses, and the targets of a control period.
+std::string courses_text(const PolicyDocument& document) {
+  std::size_t periods = 1;
+  for (const PolicyOutput& output : document.outputs) {
+    periods = std::max(periods, output.course.size());
+  }
+  const auto outputs = static_cast<Eigen::Index>(document.outputs.size());
+  Eigen::VectorXd course(outputs * static_cast<Eigen::Index>(periods));
+  for (std::size_t period = 0; period < periods; ++period) {
+    for (Eigen::Index i = 0; i < outputs; ++i) {
+      course(static_cast<Eigen::Index>(period) * outputs + i) =
+          course_at(document.outputs[static_cast<std::size_t>(i)], static_cast<long>(period));
+    }
+  }
+  return array_of("course", course) + fmt::format(R"(
+/* What an action asks for in a control period, counted from 0. */
+static inline void policy_target(const float* action, long period, float* target) {{
+  int k;
+  if (period > {1}) period = {1};
+  for (k = 0; k < {0}; ++k) {{
+    target[k] = policy_offset[k] + policy_course[period * {0} + k] + policy_scale[k] * action[k];
+  }}
+}}
+)",
+                                                  outputs, periods - 1);
+}
+
 std::string target_text(const PolicyDocument& document) {
   const auto outputs = static_cast<Eigen::Index>(document.outputs.size());
   Eigen::VectorXd offset(outputs);
@@ -162,6 +196,9 @@ std::string target_text(const PolicyDocument& document) {
   for (Eigen::Index i = 0; i < outputs; ++i) {
     offset(i) = document.outputs[static_cast<std::size_t>(i)].offset;
     scale(i) = document.outputs[static_cast<std::size_t>(i)].scale;
+  }
+  if (has_course(document)) {
+    return array_of("offset", offset) + array_of("scale", scale) + courses_text(document);
   }
   return array_of("offset", offset) + array_of("scale", scale) +
          fmt::format(R"(

@@ -2,6 +2,9 @@
 #include "hopper/policy/onnx_export.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 namespace torquewright::hopper {
 namespace {
@@ -91,6 +94,11 @@ void add_metadata(const PolicyDocument& document, OnnxGraph& graph) {
     graph.metadata.emplace_back("damping_Nm_s_rad of " + gain.drive,
                                 fmt::format("{}", gain.damping_Nm_s_rad));
   }
+  for (const PolicyOutput& output : document.outputs) {
+    if (output.course.empty()) continue;
+    graph.metadata.emplace_back("course of " + output.name,
+                                fmt::format("{}", fmt::join(output.course, ",")));
+  }
   if (!document.limits.empty()) graph.metadata.emplace_back("limits", document.limits);
 }
 
@@ -120,9 +128,18 @@ OnnxGraph onnx_graph_of(const PolicyDocument& document) {
   const std::string action = builder.layers(policy.layers, shown, "layer_", "action");
   const std::string scaled =
       builder.add("Mul", {action, builder.constant("scale", scale)}, "scaled");
-  builder.add("Add", {scaled, builder.constant("offset", offset)}, "target");
+  const bool goes_by_time =
+      std::any_of(document.outputs.begin(), document.outputs.end(),
+                  [](const PolicyOutput& output) { return !output.course.empty(); });
+  const std::string offsets = builder.constant("offset", offset);
+  if (goes_by_time) {
+    builder.add("Add", {builder.add("Add", {scaled, offsets}, "corrected"), "course"}, "target");
+  } else {
+    builder.add("Add", {scaled, offsets}, "target");
+  }
   OnnxGraph& graph = builder.graph();
   graph.inputs = {{"observation", {0, policy.inputs()}}};
+  if (goes_by_time) graph.inputs.push_back({"course", {0, policy.outputs()}});
   graph.outputs = {{"action", {0, policy.outputs()}}, {"target", {0, policy.outputs()}}};
   add_metadata(document, graph);
   return graph;

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "io/text/units.hpp"
@@ -18,6 +19,12 @@ std::string unit_in_name(const std::string& name) {
     if (unit) return std::string(unit->name);
   }
   return "1";
+}
+
+double course_at(const PolicyOutput& output, long period) {
+  if (output.course.empty()) return 0.0;
+  const auto last = static_cast<long>(output.course.size()) - 1;
+  return output.course[static_cast<std::size_t>(std::clamp(period, 0L, last))];
 }
 
 std::string objection_to(const PolicyDocument& document) {

@@ -15,13 +15,18 @@ struct PolicyInput {
   int delay_steps = 0;  ///< As it was so many control periods ago.
 };
 
-/// A number that a policy asks for: offset + scale * the network's output.
+/// A number that a policy asks for: offset + course + scale * the network's output.
 struct PolicyOutput {
   std::string name;  ///< knee_target_rad
   std::string unit;
   double offset = 0.0;
   double scale = 1.0;
+  /// By control period since the begin, behind its end the last one; empty: 0.
+  std::vector<double> course = {};
 };
+
+/// What an output's course adds in a control period, counted from 0.
+double course_at(const PolicyOutput& output, long period);
 
 /// The PD law of a drive between two of the policy's actions.
 struct PolicyGain {

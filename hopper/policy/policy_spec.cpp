@@ -67,8 +67,8 @@ class PolicyReader {
   std::vector<PolicyOutput> outputs() const {
     std::vector<PolicyOutput> list;
     for (const json& keys : root()["outputs"]) {
-      list.push_back(
-          {keys["name"], keys["unit"], keys.value("offset", 0.0), keys.value("scale", 1.0)});
+      list.push_back({keys["name"], keys["unit"], keys.value("offset", 0.0),
+                      keys.value("scale", 1.0), keys.value("course", std::vector<double>{})});
     }
     return list;
   }

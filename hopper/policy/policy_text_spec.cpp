@@ -72,9 +72,13 @@ std::string inputs_text(const std::vector<PolicyInput>& inputs) {
 std::string outputs_text(const std::vector<PolicyOutput>& outputs) {
   std::vector<std::string> lines;
   for (const PolicyOutput& output : outputs) {
-    lines.push_back(fmt::format("    {{\"name\": {}, \"unit\": {}, \"offset\": {}, \"scale\": {}}}",
-                                quoted(output.name), quoted(output.unit), decimal(output.offset),
-                                decimal(output.scale)));
+    const Eigen::Map<const Eigen::VectorXd> course(output.course.data(),
+                                                   static_cast<Eigen::Index>(output.course.size()));
+    const std::string by_time =
+        output.course.empty() ? "" : fmt::format(",\n     \"course\": {}", list_of(course));
+    lines.push_back(fmt::format(
+        "    {{\"name\": {}, \"unit\": {}, \"offset\": {}, \"scale\": {}{}}}", quoted(output.name),
+        quoted(output.unit), decimal(output.offset), decimal(output.scale), by_time));
   }
   return fmt::format("[\n{}]", fmt::join(lines, ",\n"));
 }

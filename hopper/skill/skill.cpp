@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "io/faults/spec_error.hpp"
 #include "io/text/nearest.hpp"
@@ -36,8 +37,7 @@ std::vector<Index> joints_of_outputs(const Robot& robot, const std::vector<Polic
 }
 
 ActingSkill::ActingSkill(const Robot& robot, const Skill& skill)
-    : robot_(robot),
-      skill_(skill),
+    : skill_(skill),
       senses_(robot, skill.inputs, skill.phase, skill.file),
       law_(robot, skill.gains),
       target_rad_(skill.hold_rad) {}
@@ -46,20 +46,19 @@ void ActingSkill::start(const Command& command) {
   senses_.start();
   command_ = command;
   target_rad_ = skill_.hold_rad;
+  period_ = 0;
 }
 
 void ActingSkill::see(double time_s, const Observation& seen) {
   senses_.note(time_s, seen, target_rad_, command_);
+  period_ = std::lround(time_s / skill_.control_period_s);
 }
 
 void ActingSkill::act(const Eigen::Ref<const Eigen::VectorXd>& action) {
   for (std::size_t i = 0; i < skill_.acted.size(); ++i) {
     const PolicyOutput& output = skill_.outputs[i];
-    const Index joint = skill_.acted[i];
-    const dynamics::JointLimits& limits =
-        robot_.tree.bodies[static_cast<std::size_t>(joint) + 1].joint.limits;
-    target_rad_[joint] = std::clamp(output.offset + output.scale * action[static_cast<Index>(i)],
-                                    limits.position_min, limits.position_max);
+    target_rad_[skill_.acted[i]] =
+        output.offset + course_at(output, period_) + output.scale * action[static_cast<Index>(i)];
   }
 }
 

@@ -40,18 +40,19 @@ class ActingSkill {
   /// Notes what is seen when an action is due, `time_s` after the begin.
   void see(double time_s, const Observation& seen);
   void write(Eigen::Ref<Eigen::VectorXd> inputs) const { senses_.write(inputs); }
-  /// Sets the targets by an action (outputs x 1), within the joints' ranges.
+  /// Sets the targets by an action (outputs x 1). They may lie beyond a joint's range: a PD law
+  /// gives a torque there only for a target far off, and what a drive has no torque for is cut off.
   void act(const Eigen::Ref<const Eigen::VectorXd>& action);
   /// Torques at the drives' outputs that the targets ask for now.
   void torque(const Observation& seen, Eigen::VectorXd& drive_Nm) const;
 
  private:
-  const Robot& robot_;
   const Skill& skill_;
   Senses senses_;
   TargetLaw law_;
   Command command_;
   Eigen::VectorXd target_rad_;
+  long period_ = 0;  ///< Control periods since the begin, when it last saw.
 };
 
 }  // namespace torquewright::hopper

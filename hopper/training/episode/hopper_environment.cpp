@@ -120,13 +120,11 @@ class HopperEnvironment::Work {
   double ground_m() const { return trial_.ground_height_m; }
   double time_s() const { return static_cast<double>(control_) * ready_.task.control_period_s; }
 
-  /// What the reference has now; null: there is none, or it says nothing of this time.
+  /// What the reference has now, behind its end what it had there; null: there is none.
   const MidState* followed() const {
     const auto& states = options_->mid_states;
     if (!states || states->empty()) return nullptr;
-    const long place = control_ - states->front().control;
-    if (place < 0 || place >= static_cast<long>(states->size())) return nullptr;
-    return &(*states)[static_cast<std::size_t>(place)];
+    return &(*states)[std::min(static_cast<std::size_t>(control_), states->size() - 1)];
   }
 
   /// Where the task begins, or a state on the way through its reference.
@@ -142,7 +140,7 @@ class HopperEnvironment::Work {
       return start;
     }
     RunStart start = start_of(moved_robot_, ends_, trial_);
-    return {0, std::move(start.position), std::move(start.velocity), 0.0};
+    return {0, std::move(start.position), std::move(start.velocity), 0.0, {}};
   }
 
   Command command() const {

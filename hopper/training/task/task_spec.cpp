@@ -196,4 +196,17 @@ Task task_of(const std::string& text, const std::string& file) {
   return TaskReader(io::check_document(json::parse(text), "training_task", file, "")).read();
 }
 
+Task with_flight(const Task& task, double from_s, double until_s) {
+  if (!(task.phase.landing_s > 0.0)) {
+    throw io::SpecError({{task.file, "/phase/landing_s", "a task that goes by a motion has one"}});
+  }
+  const double later_s = until_s - task.phase.landing_s;
+  json root = json::parse(task.text);
+  root["phase"]["take_off_s"] = from_s;
+  root["phase"]["landing_s"] = until_s;
+  if (task.phase.end_s > 0.0) root["phase"]["end_s"] = task.phase.end_s + later_s;
+  root["duration_s"] = task.duration_s + later_s;
+  return task_of(root.dump(), task.file);
+}
+
 }  // namespace torquewright::hopper

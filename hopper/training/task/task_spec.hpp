@@ -20,4 +20,8 @@ Task read_task(const std::string& name_or_file);
 /// The same of a text, as a policy carries it in `file`.
 Task task_of(const std::string& text, const std::string& file);
 
+/// The task with a flight from and until these times since the begin; what comes behind its landing
+/// lasts as long as it did. Throws io::SpecError where the task states no landing.
+Task with_flight(const Task& task, double from_s, double until_s);
+
 }  // namespace torquewright::hopper

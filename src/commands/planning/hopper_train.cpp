@@ -8,9 +8,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "hopper/check/hopper_check.hpp"
 #include "hopper/engines/library.hpp"
 #include "hopper/motion/motion_reader.hpp"
-#include "hopper/motion/slopes.hpp"
 #include "hopper/policy/policy_spec.hpp"
 #include "hopper/training/run/training.hpp"
 #include "hopper/training/task/task_spec.hpp"
@@ -61,6 +61,7 @@ class TrainingRun {
       : request_(request),
         read_(hopper::read_robot(request.robot_file)),
         ready_(hopper::ready_task(read_.robot, hopper::read_task(request.task))),
+        mid_states_(followed()),
         training_(made()) {
     if (request.resume) resume();
   }
@@ -105,10 +106,7 @@ class TrainingRun {
       if (request_.randomise_file.empty()) io::refuse("--curriculum", "needs --randomise");
       options.shares = {0.0, 0.5, 1.0};
     }
-    if (!request_.reference_file.empty()) {
-      episodes.mid_states = std::make_shared<const std::vector<hopper::MidState>>(
-          hopper::mid_states(ready_, read_.robot, reference()));
-    }
+    episodes.mid_states = mid_states_;
     options.seed = request_.seed;
     options.threads = request_.threads;
     options.judged_every = request_.judged_every;
@@ -116,12 +114,27 @@ class TrainingRun {
     return options;
   }
 
+  /// The motion of --reference and what it asks of the joints.
   hopper::Motion reference() const {
     hopper::MotionFile source;
     source.file = request_.reference_file;
     hopper::Motion motion = hopper::read_motion(read_.robot, source);
-    hopper::derive_rates(read_.robot.tree, motion);
+    const hopper::HopperReport report = hopper::check_motion(read_.robot, motion, {});
+    motion.efforts = report.demand.joint_effort;
     return motion;
+  }
+
+  /// Lays the task on the motion of --reference, if there is one.
+  std::shared_ptr<const std::vector<hopper::MidState>> followed() {
+    if (request_.reference_file.empty()) return nullptr;
+    const hopper::Motion motion = reference();
+    const hopper::TimeInAir flight = hopper::flight_of(ready_, motion);
+    ready_ = hopper::ready_task(read_.robot,
+                                hopper::with_flight(ready_.task, flight.from_s, flight.until_s));
+    auto states =
+        std::make_shared<const std::vector<hopper::MidState>>(hopper::mid_states(ready_, motion));
+    hopper::set_course(*states, ready_.skill);
+    return states;
   }
 
   std::unique_ptr<hopper::Training> made() const {
@@ -203,6 +216,7 @@ class TrainingRun {
   const HopperTrainRequest& request_;
   hopper::ReadRobot read_;
   hopper::ReadyTask ready_;
+  std::shared_ptr<const std::vector<hopper::MidState>> mid_states_;
   std::unique_ptr<hopper::Training> training_;
   std::string rows_;
 };

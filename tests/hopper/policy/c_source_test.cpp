@@ -26,13 +26,14 @@ constexpr const char* kMain = R"(
 #include "policy.h"
 int main(void) {
   float seen[POLICY_INPUTS], action[POLICY_OUTPUTS], target[POLICY_OUTPUTS];
-  for (;;) {
+  long period;
+  for (period = 0;; ++period) {
     int i;
     for (i = 0; i < POLICY_INPUTS; ++i) {
       if (scanf("%f", &seen[i]) != 1) return 0;
     }
     policy_action(seen, action);
-    policy_target(action, target);
+    policy_target(action, PERIOD target);
     for (i = 0; i < POLICY_OUTPUTS; ++i) printf("%.9g %.9g\n", action[i], target[i]);
   }
 }
@@ -51,15 +52,17 @@ double greatest_difference(const PolicyDocument& document, const std::string& co
   std::ofstream(folder / "main.c") << kMain;
   const Eigen::MatrixXd views = test::sample_observations(document, kHeaderViews);
   std::ofstream(folder / "in") << std::setprecision(9) << views.transpose() << "\n";
-  const std::string command =
-      "cd " + folder.string() + " && " + compile + " -o policy -lm && ./policy < in > out";
+  const bool goes_by_time = !document.outputs[0].course.empty();
+  const std::string command = "cd " + folder.string() + " && " + compile +
+                              (goes_by_time ? " '-DPERIOD=period,'" : " -DPERIOD=") +
+                              " -o policy -lm && ./policy < in > out";
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   std::ifstream out(folder / "out");
   learning::PolicyEvaluation policy(document.policy);
   double greatest = 0.0;
-  for (const auto& view : views.colwise()) {
-    const Eigen::VectorXd action = policy.action(view);
-    const Eigen::VectorXd target = test::target_of(document, action);
+  for (Eigen::Index period = 0; period < views.cols(); ++period) {
+    const Eigen::VectorXd action = policy.action(views.col(period));
+    const Eigen::VectorXd target = test::target_of(document, action, period);
     for (Eigen::Index i = 0; i < action.size(); ++i) {
       double found_action = 1e9;
       double found_target = 1e9;
@@ -80,6 +83,15 @@ TEST(PolicyHeader, SaysInCWhatThePolicySays) {
                   document, TORQUEWRIGHT_CC " -std=c99 -O1 -Wall -Wextra -Werror -pedantic main.c"),
               kHeaderTolerance);
   }
+}
+
+TEST(PolicyHeader, GoesByACourseOfTargets) {
+  PolicyDocument document = test::sample_policies()[4];
+  document.outputs[0].course = {0.5, -1.0, 2.0};
+  document.outputs[1].course = {0.1};
+  EXPECT_LT(greatest_difference(
+                document, TORQUEWRIGHT_CC " -std=c99 -O1 -Wall -Wextra -Werror -pedantic main.c"),
+            kHeaderTolerance);
 }
 
 TEST(PolicyHeader, SaysInCxxWhatThePolicySays) {

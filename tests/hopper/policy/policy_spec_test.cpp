@@ -36,6 +36,7 @@ TEST(PolicySpec, ReadsWhatItWroteToTheBit) {
     document.policy.layers[0].bias(0) = 0.1;  // no float
     document.policy.layers[1].activation = learning::activation_of(learning::ActivationKind::kElu);
     document.policy.layers[1].activation.alpha = 0.3;
+    document.outputs[1].course = {0.25, -0.1, 1e-3};
     const PolicyDocument read = read_back(policy_text(document));
     EXPECT_EQ(read.name, document.name);
     EXPECT_EQ(read.task, "stand");
@@ -48,6 +49,8 @@ TEST(PolicySpec, ReadsWhatItWroteToTheBit) {
     ASSERT_EQ(read.inputs.size(), 5U);
     EXPECT_EQ(read.inputs[3].delay_steps, 1);
     EXPECT_EQ(read.outputs[1].scale, 0.7);
+    EXPECT_TRUE(read.outputs[0].course.empty());
+    EXPECT_EQ(read.outputs[1].course, (std::vector<double>{0.25, -0.1, 1e-3}));
     EXPECT_EQ(read.gains[1].drive, "knee");
     EXPECT_EQ(read.gains[1].damping_Nm_s_rad, 5.0);
     EXPECT_EQ(read.trained_with[0].sha256, std::string(64, 'a'));
@@ -105,6 +108,14 @@ TEST(PolicySpec, RefusesWhatDoesNotFitTogether) {
     EXPECT_EQ(with_hash(sha256).at(0),
               "/trained_with/0/sha256: must be 64 hexadecimal digits in lower case");
   }
+}
+
+TEST(PolicyCourse, HoldsItsLastBehindItsEnd) {
+  const PolicyOutput output{"knee_target_rad", "rad", 1.0, 1.0, {0.25, -0.5}};
+  EXPECT_EQ(course_at(output, 0), 0.25);
+  EXPECT_EQ(course_at(output, 1), -0.5);
+  EXPECT_EQ(course_at(output, 70), -0.5);
+  EXPECT_EQ(course_at({"knee_target_rad", "rad", 1.0, 1.0}, 3), 0.0);
 }
 
 TEST(PolicyNames, EndInUnits) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/hopper/policy/sample_policies.hpp"
 
+#include <algorithm>
+
 #include "learning/generator.hpp"
 
 namespace torquewright::hopper::test {
@@ -75,11 +77,15 @@ Eigen::MatrixXd sample_observations(const PolicyDocument& document, Eigen::Index
   return views.cast<float>().cast<double>();
 }
 
-Eigen::VectorXd target_of(const PolicyDocument& document, const Eigen::VectorXd& action) {
+Eigen::VectorXd target_of(const PolicyDocument& document, const Eigen::VectorXd& action,
+                          Eigen::Index period) {
   Eigen::VectorXd target(action.size());
   for (Eigen::Index i = 0; i < action.size(); ++i) {
     const PolicyOutput& output = document.outputs[static_cast<std::size_t>(i)];
     target(i) = output.offset + output.scale * action(i);
+    if (output.course.empty()) continue;
+    const auto last = static_cast<Eigen::Index>(output.course.size()) - 1;
+    target(i) += output.course[static_cast<std::size_t>(std::min(period, last))];
   }
   return target;
 }

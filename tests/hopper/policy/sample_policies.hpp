@@ -17,7 +17,8 @@ std::vector<PolicyDocument> sample_policies();
 /// Observations (inputs x count) for it, within three deviations of what is usual.
 Eigen::MatrixXd sample_observations(const PolicyDocument& document, Eigen::Index count);
 
-/// offset + scale * action.
-Eigen::VectorXd target_of(const PolicyDocument& document, const Eigen::VectorXd& action);
+/// offset + course + scale * action.
+Eigen::VectorXd target_of(const PolicyDocument& document, const Eigen::VectorXd& action,
+                          Eigen::Index period = 0);
 
 }  // namespace torquewright::hopper::test

@@ -130,6 +130,25 @@ TEST(HopperEnvironment, BeginsAnEpisodeAlikeWhateverWasBefore) {
   }
 }
 
+// Oracle: the PD law by hand. A joint at the end of its range gets torque against its stop only by
+// a target beyond it; who holds targets within ranges takes the last half of a push-off from a leg.
+TEST(ActingSkill, AsksForTargetsBeyondTheRangesOfJoints) {
+  const ReadyTask& ready = ready_for("hopper_flip");
+  ActingSkill acting(ready.robot, ready.skill);
+  acting.start({});
+  Observation seen;
+  seen.position = ready.start_position;
+  seen.velocity = Eigen::VectorXd::Zero(ready.robot.tree.velocity_size());
+  seen.position.tail(3)[0] = 0.2;  // the knee's range begins at 0
+  seen.velocity.tail(3)[0] = -8.0;
+  acting.see(0.0, seen);
+  acting.act(Eigen::Vector2d(-3.0, 0.0));
+  Eigen::VectorXd drive_Nm;
+  acting.torque(seen, drive_Nm);
+  // 150 Nm/rad to 1.1 - 3 rad, 5 Nm s/rad; the four-bar in front of the knee is one to one.
+  EXPECT_NEAR(drive_Nm[0], 150.0 * (1.1 - 3.0 - 0.2) + 5.0 * 8.0, 1e-9);
+}
+
 TEST(HopperEnvironment, SaysHowAnEpisodeEnded) {
   HopperEnvironment environment(ready_for("hopper_flip"), plain_episodes());
   environment.begin(1, 3);
