@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Policies that learn the flip, seed by seed, under the region and in the box: when they had
-learned it, and who does it where. Leaves tables.md and learning_curves.svg in build/study_learning.
+"""Policies that learn the flip along a planned one, seed by seed, under the region and in the box:
+when they had learned it, and who does it where. Leaves the plan, tables.md and learning_curves.svg
+in build/study_learning.
 
-    bench/learning_study.py build/release/src/torquewright [--seeds 5] [--seconds 600] [--keep]
+    bench/learning_study.py build/release/src/torquewright [--robot hopper_16.json --reserve 0.08]
+                            [--seeds 5] [--iterations 120] [--keep]
 """
 import argparse
 import csv
@@ -12,8 +14,6 @@ import pathlib
 import resource
 import subprocess
 
-ROBOT = "specs/robot/hopper.json"
-REFERENCE = "specs/trajectory/hopper_flip.csv"
 FOLDER = pathlib.Path("build/study_learning")
 PICTURE = FOLDER / "learning_curves.svg"
 LIMITS = ["mor", "box"]
@@ -36,15 +36,24 @@ def run(*words):
     return done.stdout
 
 
+def planned(options):
+    """The flip that policies go along."""
+    plan = FOLDER / "plan.csv"
+    if not (options.keep and plan.exists()):
+        reserve = ["--reserve", options.reserve] if options.reserve else []
+        run(options.program, "hopper", "flip", options.robot, *reserve, "-o", plan)
+    return plan
+
+
 def trained(options, seed, limits):
     """Policy, curve and CPU seconds of one training; a former one where that is to be kept."""
     name = f"{limits}_{seed}"
     policy, curve, spent = (FOLDER / f"{name}{end}" for end in (".json", ".csv", ".cpu_s"))
     if not (options.keep and spent.exists()):
         before_s = cpu_s()
-        run(options.program, "hopper", "train", ROBOT, "--task", options.task, "--limits", limits,
-            "--reference", REFERENCE, "--seed", seed, "--seconds", options.seconds, "-o", policy,
-            "--curve", curve)
+        run(options.program, "hopper", "train", options.robot, "--task", options.task, "--limits",
+            limits, "--reference", planned(options), "--seed", seed, "--iterations",
+            options.iterations, "--seconds", 1e6, "-o", policy, "--curve", curve)
         spent.write_text(str(cpu_s() - before_s))
     with curve.open() as rows:
         return {"seed": seed, "limits": limits, "policy": policy, "curve": curve,
@@ -65,7 +74,7 @@ def learned_at(training, share):
 def judged(options, training, limits, engine):
     start = FOLDER / "start.json"
     start.write_text(json.dumps(START))
-    report = json.loads(run(options.program, "hopper", "replay", ROBOT, training["policy"],
+    report = json.loads(run(options.program, "hopper", "replay", options.robot, training["policy"],
                             "--limits", limits, "--engine", engine, "--trials", options.trials,
                             "--randomise", start, "--json"))
     down = report.get("touch_down")
@@ -115,9 +124,11 @@ plot {curves}
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
-    parser.add_argument("--task", default="flip")
+    parser.add_argument("--robot", default="specs/robot/hopper.json")
+    parser.add_argument("--reserve", type=float, default=0.0)
+    parser.add_argument("--task", default="flip_along")
     parser.add_argument("--seeds", type=int, default=5)
-    parser.add_argument("--seconds", type=float, default=600)
+    parser.add_argument("--iterations", type=int, default=120)
     parser.add_argument("--trials", type=int, default=100)
     parser.add_argument("--keep", action="store_true")
     options = parser.parse_args()

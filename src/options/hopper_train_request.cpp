@@ -34,10 +34,12 @@ void add_task_options(command_line::Command& command, HopperTrainRequest& reques
                    "Go by none of what --randomise says of bodies, ground, gains and sensors at "
                    "first, by half and by all of it as soon as 8 of 10 judged runs do the task");
   command
-      .add_option("--reference", request.reference_file,
-                  "Motion, as hopper flip writes it, on the way through which half of the episodes "
-                  "begin, its landing laid on the task's")
-      .otherwise("none: all begin where the task does");
+      .add_option(
+          "--reference", request.reference_file,
+          "Motion, as hopper flip writes it, whose targets the actions correct: what they "
+          "ask for at 0 gives its torques on its way. The task flies when it does, and half "
+          "of the episodes begin on the way through it. The task for it is flip_along")
+      .otherwise("none: actions move targets about the posture of the start, where all begin");
   add_operating_options(command, request.operating);
 }
 

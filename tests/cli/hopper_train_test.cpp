@@ -95,6 +95,48 @@ TEST_F(HopperTrain, GoesOnToTheSameBytes) {
   EXPECT_TRUE(place_.text("part.json") == place_.text("whole.json"));
 }
 
+// The hand-made flip flies from 0.641 to 1.134 s, worked out apart from its rows, which are 2 ms
+// apart; control periods are of 10 ms.
+TEST_F(HopperTrain, GoesAlongAMotionToTheSameBytes) {
+  place_.write("along.json", R"({"kind": "training_task", "version": 1, "name": "along",
+    "duration_s": 1.6, "phase": {"take_off_s": 0.5, "landing_s": 1, "end_s": 1.5},
+    "goal": {"turn_rad": 6.283, "least_flights": 1}, "scale_rad": 0.1, "full_torque_error_rad": 2,
+    "rewards": [{"term": "follow"}, {"term": "fall", "weight": -10}], "learning": {"copies": 4,
+      "steps": 50, "minibatch": 100, "layers": [16], "first_deviation": 0.1,
+      "least_deviation": 0.05}})");
+  const auto along = [this](const std::string& policy, const Words& more) {
+    Words words{"hopper",
+                "train",
+                in_repository("specs/robot/hopper.json").string(),
+                "--task",
+                "along.json",
+                "--reference",
+                in_repository("specs/trajectory/hopper_flip.csv").string(),
+                "-o",
+                policy,
+                "--judge-every",
+                "1",
+                "--judge-runs",
+                "1"};
+    words.insert(words.end(), more.begin(), more.end());
+    return place_.run(words);
+  };
+  EXPECT_EQ(along("whole.json", {"--iterations", "3"}).exit_code, 3);
+  EXPECT_EQ(along("part.json", {"--iterations", "2", "--threads", "2"}).exit_code, 3);
+  EXPECT_EQ(along("part.json", {"--iterations", "1", "--resume"}).exit_code, 3);
+  EXPECT_TRUE(place_.text("part.json.training") == place_.text("whole.json.training"));
+  EXPECT_TRUE(place_.text("part.json") == place_.text("whole.json"));
+  const json policy = json::parse(place_.text("whole.json"));
+  EXPECT_NEAR(policy["training_task"]["phase"]["take_off_s"], 0.641, 2e-3);
+  EXPECT_NEAR(policy["training_task"]["phase"]["landing_s"], 1.134, 2e-3);
+  EXPECT_NEAR(policy["training_task"]["duration_s"], 1.734, 2e-3);
+  EXPECT_EQ(policy["outputs"][0]["course"].size(), 174U);  // of the 1.7339 s that it lasts
+  EXPECT_EQ(policy["outputs"][0]["offset"], 0.0);
+  const Outcome judged =
+      replay({in_repository("specs/robot/hopper.json").string(), "whole.json", "--json"});
+  EXPECT_EQ(json::parse(judged.out)["verdict"], "fell");
+}
+
 TEST_F(HopperTrain, AnotherRobotsPolicyIsRefusedByNameAndOtherDrivesAreSaid) {
   ASSERT_EQ(train("stand.json", {"--iterations", "2"}).exit_code, 0);
   const Outcome leg = replay({in_repository("specs/robot/planar_leg.json").string(), "stand.json"});

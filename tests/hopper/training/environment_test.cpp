@@ -98,6 +98,21 @@ TEST(HopperEnvironment, MovesAsAReplayDoesInTheBoxAndInMujoco) {
   expect_equal_runs(ready_for("hopper_flip"), plain_episodes("mujoco"), 0);
 }
 
+TEST(HopperEnvironment, MovesAsAReplayDoesAlongACourse) {
+  ReadyTask ready = ready_for("hopper_flip");
+  const ReadyTask without = ready;
+  ready.skill.outputs[0].course = {0.1, -0.4, 0.3, 0.9, -0.2, 0.2};
+  ready.skill.outputs[1].course = {-0.1, 0.2};
+  expect_equal_runs(ready, plain_episodes(), 0);
+  const EpisodeOptions episodes = plain_episodes();
+  HopperEnvironment along(ready, episodes), plain(without, episodes);
+  along.begin(1, 0);
+  plain.begin(1, 0);
+  along.act(Eigen::Vector2d::Zero());
+  plain.act(Eigen::Vector2d::Zero());
+  EXPECT_NE(along.position(), plain.position());
+}
+
 TEST(HopperEnvironment, DrawsTheSameTrialsAsAReplay) {
   EpisodeOptions episodes = plain_episodes();
   episodes.randomisation =
