@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <map>
@@ -105,6 +106,12 @@ struct Problem {
   std::optional<SynthesisRequest> synthesis;
   std::vector<std::string> assumed;  ///< JSON pointers of assumed values.
 };
+
+/// What a synthesis makes the teeth bear at the output: the load, or a floor above it.
+inline Rational torque_to_bear_Nm(const Problem& problem) {
+  const Rational load_Nm = problem.load_output_torque_Nm.value_or(0);
+  return std::max(load_Nm, problem.floors.torque_borne_Nm.value_or(load_Nm));
+}
 
 /// A design: all tooth counts in the topology's order, planets and module.
 struct Design {

@@ -194,6 +194,7 @@ class Reader {
     request.greatest_face_width_mm = find("/synthesis/max_face_width_mm");
     request.greatest_face_width_over_module = find("/synthesis/max_face_width_over_module");
     request.greatest_face_width_over_diameter = find("/synthesis/max_face_width_over_diameter");
+    problem_.floors.torque_borne_Nm = find("/synthesis/min_torque_borne_Nm");
     take("gap", request.gap);
     problem_.synthesis = request;
     check_synthesis(keys, request);

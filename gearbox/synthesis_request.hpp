@@ -39,6 +39,8 @@ struct Floors {
   std::optional<io::Rational> reflected_inertia_kg_m2 = {};  ///< Greatest, at the output.
   /// Greatest, at the output for the same backlash along every mesh's line of action.
   std::optional<io::Rational> backlash_rad_per_mm = {};
+  /// Least, at the output for the load's cycles; where a synthesis makes the teeth as wide as that.
+  std::optional<io::Rational> torque_borne_Nm = {};
 };
 
 }  // namespace torquewright::gearbox

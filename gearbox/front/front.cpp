@@ -110,8 +110,8 @@ class WholeFront {
   Front front_;
 };
 
-/// With shifts and widths: floors between the lightest design's value and the greatest there is,
-/// which a bisection encloses.
+/// With shifts and widths: limits between the lightest design's value and the best there is, which
+/// a bisection encloses.
 class SizedFront {
  public:
   SizedFront(const Problem& problem, Objective second, const FrontOptions& options)
@@ -120,52 +120,63 @@ class SizedFront {
   Front run() {
     front_.is_whole = true;
     if (!solve(std::nullopt)) return std::move(front_);
-    enclose_greatest();
+    enclose_best();
     while (front_.is_whole && front_.points.size() < options_.points) {
-      const auto floor = amid_the_widest_gap();
-      if (!floor || !solve(*floor)) break;
+      const auto limit = amid_the_widest_gap();
+      if (!limit || !solve(*limit)) break;
     }
     return std::move(front_);
   }
 
  private:
-  /// Adds the lightest design with so much of the second; false: there is none, or a limit.
-  bool solve(std::optional<double> floor) {
+  /// Adds the lightest design that does so well in the second; false: there is none, or a limit.
+  bool solve(std::optional<double> limit) {
     Problem asked = problem_;
-    if (floor) this->floor(asked) = io::exact(*floor);
+    if (limit) this->limit(asked) = io::exact(*limit);
     SynthesisOptions options;
     options.should_stop = options_.should_stop;
     const SynthesisResult found = synthesise(asked, options);
     if (found.status == SynthesisStatus::kLimit) front_.is_whole = false;
-    if (found.status == SynthesisStatus::kInfeasible && floor) front_.none_from = *floor;
+    if (found.status == SynthesisStatus::kInfeasible && limit) front_.none_from = *limit;
     if (found.status != SynthesisStatus::kOptimal) return false;
     FrontPoint point{found.best->mass_kg,
                      found.bound_kg,
                      *objective_value(second_, found.best->report),
-                     floor,
+                     limit,
                      found.best->problem,
                      found.best->report};
     const auto place = std::lower_bound(
         front_.points.begin(), front_.points.end(), point,
-        [](const FrontPoint& a, const FrontPoint& b) { return a.second < b.second; });
+        [&](const FrontPoint& a, const FrontPoint& b) { return gained(a.second, b.second) > 0.0; });
     front_.points.insert(place, std::move(point));
     options_.report(front_.points.size());
     return true;
   }
 
-  std::optional<Rational>& floor(Problem& problem) const {
+  /// What the second value has over the first.
+  double gained(double from, double to) const {
+    return is_greater_better(second_) ? to - from : from - to;
+  }
+
+  std::optional<Rational>& limit(Problem& problem) const {
+    if (second_ == Objective::kReflectedInertia) return problem.floors.reflected_inertia_kg_m2;
     if (second_ == Objective::kForwardEfficiency) return problem.floors.forward_efficiency;
     if (second_ == Objective::kBackwardEfficiency) return problem.floors.backward_efficiency;
     return problem.floors.hollow_shaft_mm;
   }
 
-  void enclose_greatest() {
+  /// What nothing reaches.
+  double out_of_reach() const {
+    if (second_ == Objective::kReflectedInertia) return 0.0;
+    return second_ == Objective::kHollowShaft ? io::nearest(problem_.rotor_inner_diameter_mm) : 1.0;
+  }
+
+  void enclose_best() {
     constexpr int kHalvings = 5;
-    double high =
-        second_ == Objective::kHollowShaft ? io::nearest(problem_.rotor_inner_diameter_mm) : 1.0;
+    double beyond = out_of_reach();
     for (int i = 0; i < kHalvings && front_.is_whole; ++i) {
-      const double middle = 0.5 * (front_.points.back().second + high);
-      if (!solve(middle)) high = middle;
+      const double middle = 0.5 * (front_.points.back().second + beyond);
+      if (!solve(middle)) beyond = middle;
     }
   }
 
@@ -175,8 +186,8 @@ class SizedFront {
     for (std::size_t i = 1; i < front_.points.size(); ++i) {
       const double from = front_.points[i - 1].second;
       const double to = front_.points[i].from.value_or(front_.points[i].second);
-      if (to - from <= widest) continue;
-      widest = to - from;
+      if (gained(from, to) <= widest) continue;
+      widest = gained(from, to);
       middle = 0.5 * (from + to);
     }
     return middle;
@@ -208,11 +219,13 @@ std::optional<double> objective_value(Objective objective, const DesignReport& r
   return std::nullopt;
 }
 
-bool is_greater_better(Objective objective) { return can_be_floor(objective); }
-
-bool can_be_floor(Objective objective) {
+bool is_greater_better(Objective objective) {
   return objective == Objective::kForwardEfficiency ||
          objective == Objective::kBackwardEfficiency || objective == Objective::kHollowShaft;
+}
+
+bool can_be_limited(Objective objective) {
+  return is_greater_better(objective) || objective == Objective::kReflectedInertia;
 }
 
 Front design_front(const Problem& problem, Objective second, const FrontOptions& options) {

@@ -27,8 +27,9 @@ struct FrontPoint {
 /// What the best of one quantity costs of another, from the best first to the best second.
 struct Front {
   std::vector<FrontPoint> points;
-  std::optional<double> none_from = {};  ///< Proved: no design has so much of the second, or more.
-  bool is_whole = false;                 ///< No limit ended it.
+  /// Proved: no design does as well as that in the second, or better.
+  std::optional<double> none_from = {};
+  bool is_whole = false;  ///< No limit ended it.
 };
 
 struct FrontOptions {
@@ -41,12 +42,12 @@ struct FrontOptions {
 std::optional<double> objective_value(Objective objective, const DesignReport& report);
 /// Whether more of it is better.
 bool is_greater_better(Objective objective);
-/// What a synthesis can be asked for at least.
-bool can_be_floor(Objective objective);
+/// What a synthesis can be asked for at least, or at most.
+bool can_be_limited(Objective objective);
 
 /// The front of the problem's objective against another, by epsilon constraints: each point is the
 /// proved answer to the problem that asks for so much of the second. Of whole numbers every point
-/// there is; with `synthesis` (mass against what can_be_floor()) points that share the range
+/// there is; with `synthesis` (mass against what can_be_limited()) points that share the range
 /// evenly.
 Front design_front(const Problem& problem, Objective second, const FrontOptions& options);
 

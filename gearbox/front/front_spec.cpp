@@ -45,10 +45,10 @@ Problem read_front_problem(const io::Document& document, Objective first, Object
   if (!document.root.contains("synthesis")) {
     asked.root["objective"] = objective_name(second);
     read_open_problem(asked);  // For its faults.
-  } else if (first != Objective::kMass || !can_be_floor(second)) {
+  } else if (first != Objective::kMass || !can_be_limited(second)) {
     io::refuse("--objectives",
-               "a synthesis weighs mass alone, against forward_efficiency, backward_efficiency or "
-               "hollow_shaft: mass,forward_efficiency");
+               "a synthesis weighs mass alone, against forward_efficiency, backward_efficiency, "
+               "hollow_shaft or reflected_inertia: mass,forward_efficiency");
   }
   asked.root["objective"] = objective_name(first);
   return read_open_problem(asked);

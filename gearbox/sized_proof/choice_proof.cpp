@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "gearbox/sized_proof/enclosures/weighted_sum.hpp"
 #include "gearbox/sized_proof/layer_cell.hpp"
-#include "gearbox/sized_proof/weighted_sum.hpp"
 #include "gearbox/train/central_gears.hpp"
 
 namespace torquewright::gearbox::sized {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gearbox/sized_proof/affine.hpp"
+#include "gearbox/sized_proof/enclosures/affine.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 
 namespace torquewright::gearbox::sized {

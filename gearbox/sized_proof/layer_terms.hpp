@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "gearbox/sized_proof/affine.hpp"
+#include "gearbox/sized_proof/enclosures/affine.hpp"
 #include "gearbox/sized_proof/loaded_teeth.hpp"
 
 namespace torquewright::gearbox::sized {

@@ -7,7 +7,7 @@
 
 #include "gearbox/constraints/gear_cutters.hpp"
 #include "gearbox/constraints/hob_reach.hpp"
-#include "gearbox/sized_proof/affine.hpp"
+#include "gearbox/sized_proof/enclosures/affine.hpp"
 #include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/strength/steels.hpp"
 #include "gearbox/strength/strength.hpp"
@@ -145,7 +145,7 @@ LoadedTeeth loaded_teeth(const Problem& problem, const WholeNumbers& whole) {
   set_limits(problem, teeth);
   set_speeds(parts, teeth);
   set_strength(problem, whole.planets, teeth);
-  set_forces(io::nearest(*problem.load_output_torque_Nm), teeth);
+  set_forces(io::nearest(torque_to_bear_Nm(problem)), teeth);
   return teeth;
 }
 

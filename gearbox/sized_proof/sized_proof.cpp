@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "gearbox/sized_proof/affine.hpp"
+#include "gearbox/sized_proof/enclosures/affine.hpp"
 #include "gearbox/sized_proof/whole_choices.hpp"
 
 namespace torquewright::gearbox::sized {

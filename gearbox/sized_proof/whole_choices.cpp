@@ -5,7 +5,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "gearbox/sized_proof/affine.hpp"
+#include "gearbox/sized_proof/enclosures/affine.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 #include "gearbox/train/central_gears.hpp"
 

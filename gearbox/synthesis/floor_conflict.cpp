@@ -61,6 +61,14 @@ Demand face_widths() {
           }};
 }
 
+Demand torque_borne() {
+  return {"torque_borne", "min_torque_borne_Nm",
+          [](Problem& each) { each.floors.torque_borne_Nm.reset(); },
+          [](const SizedDesign& sized) {
+            return fmt::format("its teeth bear {:.4g} Nm", sized.borne.joint_Nm);
+          }};
+}
+
 Demand load() {
   return {"load", "load",
           [](Problem& each) { each.load_output_torque_Nm = Rational(1, 1'000'000); },
@@ -76,6 +84,7 @@ std::vector<Demand> all_demands(const Problem& problem) {
                     [&floor](Problem& each) { (each.floors.*floor.limit).reset(); },
                     [&](const SizedDesign& sized) { return what_it_has(floor, problem, sized); }});
   }
+  if (problem.floors.torque_borne_Nm) list.push_back(torque_borne());
   return list;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "gearbox/constraints/condition.hpp"
 #include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/strength/tooth_load.hpp"
 #include "gearbox/teeth/profile_shift.hpp"
@@ -89,6 +90,15 @@ std::string own_objection(const SizedDesign& sized) {
   return "";
 }
 
+/// The floor of what the teeth bear.
+ConstraintReport torque_borne(const SizedDesign& sized) {
+  DesignCondition condition{"torque_borne", "/synthesis/min_torque_borne_Nm", "Nm"};
+  condition.value = io::exact(sized.borne.joint_Nm);
+  condition.limit = *sized.problem.floors.torque_borne_Nm;
+  condition.meaning = "at the output that the teeth bear for the load's cycles";
+  return judge(condition);
+}
+
 void offer_all_modules(const LayerModules& modules, Problem& problem) {
   std::vector<Rational>& offered = problem.module_mm;
   offered.insert(offered.end(), modules.second_mm.begin(), modules.second_mm.end());
@@ -101,7 +111,7 @@ bool set_widths(SizedDesign& sized) {
   for (const std::string& layer : layers) sized.problem.face_width_mm[layer] = 1;
   const auto of_one_mm = strength_of_design(sized.problem, sized.design);
   if (!of_one_mm) return false;
-  const double load_Nm = io::nearest(*sized.problem.load_output_torque_Nm);
+  const double load_Nm = io::nearest(torque_to_bear_Nm(sized.problem));
   const auto needed =
       needed_widths_mm(*of_one_mm, sun_torque_Nm(of_one_mm->train, load_Nm, TorqueSide::kJoint));
   for (std::size_t i = 0; i < layers.size(); ++i) {
@@ -128,6 +138,7 @@ SizedDesign sized_design(const Problem& problem, const Design& shifted) {
     return sized;
   }
   sized.report = find_topology(problem.topology)->evaluate(sized.problem, sized.design);
+  if (problem.floors.torque_borne_Nm) sized.report.constraints.push_back(torque_borne(sized));
   sized.mass_kg = sized.report.mass_kg.value_or(0.0);
   for (const ConstraintReport& constraint : sized.report.constraints) {
     if (constraint.satisfied) continue;
@@ -135,8 +146,7 @@ SizedDesign sized_design(const Problem& problem, const Design& shifted) {
     return sized;
   }
   sized.objection = own_objection(sized);
-  if (sized.objection.empty() &&
-      sized.borne.joint_Nm < io::nearest(*problem.load_output_torque_Nm)) {
+  if (sized.objection.empty() && sized.borne.joint_Nm < io::nearest(torque_to_bear_Nm(problem))) {
     sized.objection = "strength";
   }
   return sized;

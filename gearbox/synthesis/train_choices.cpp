@@ -226,7 +226,7 @@ void set_strength(const Problem& problem, InnerCase& inner) {
 /// F_t on the reference circle: torque over n m z/2, whatever the shifts.
 void set_forces(const Problem& problem, InnerCase& inner) {
   const auto& z = inner.teeth;
-  const double output_Nmm = 1e3 * io::nearest(*problem.load_output_torque_Nm);
+  const double output_Nmm = 1e3 * io::nearest(torque_to_bear_Nm(problem));
   const double sun_Nmm = output_Nmm / inner.ratio;
   const auto force = [&](double torque_Nmm, std::size_t layer, double teeth) {
     return torque_Nmm / (inner.planets * inner.module_mm[layer] * teeth / 2.0);

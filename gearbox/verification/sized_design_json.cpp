@@ -149,12 +149,13 @@ class DesignCheck {
   }
 
   void check_strength() {
-    const double load_Nm = io::nearest(*problem_.load_output_torque_Nm);
+    const double load_Nm = io::nearest(torque_to_bear_Nm(problem_));
     const auto strength = strength_of_design(sized_, design_);
     if (!strength) return add("", "has stresses that cannot be computed");
     const double borne_Nm = torque_limits(*strength).for_cycles.joint_Nm;
     if (borne_Nm < load_Nm) {
-      add("", fmt::format("bears {:.6g} Nm at the output, where {:.6g} Nm act", borne_Nm, load_Nm));
+      add("", fmt::format("bears {:.6g} Nm at the output, where {:.6g} Nm are asked for", borne_Nm,
+                          load_Nm));
     }
   }
 

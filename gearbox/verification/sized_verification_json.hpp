@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "gearbox/verification/verification_json.hpp"
+#include <functional>
+#include <nlohmann/json_fwd.hpp>
+
+#include "gearbox/problem.hpp"
+#include "gearbox/verification/verification.hpp"
 
 namespace torquewright::gearbox {
 

@@ -84,6 +84,29 @@ TEST(Pareto, OfASynthesisIsWhatOptimizeGivesForEachFloor) {
   EXPECT_EQ(place.run({"gearbox", "optimize", "gears.json"}).exit_code, 1);
 }
 
+// Less of the inertia weighs more. Oracle: `gearbox optimize` with that ceiling.
+TEST(Pareto, OfASynthesisKnowsCeilings) {
+  const Workplace place;
+  json problem = json::parse(R"({"kind": "gearbox_problem", "version": 1, "topology": "3k",
+    "target_ratio": 20, "ratio_tolerance": 0, "rotor_inner_diameter_mm": 79.4, "module_mm": 0.7,
+    "planet_count": 3, "min_teeth": {"sun": 50, "planet_1": 20, "planet_2": 16},
+    "load": {"output_torque_Nm": 120, "cycles": 1000000}, "synthesis": {"gap": 0.01}})");
+  place.write("gears.json", problem.dump());
+  const Outcome front = place.run({"gearbox", "pareto", "gears.json", "--objectives",
+                                   "mass,reflected_inertia", "--points", "2", "--json"});
+  ASSERT_EQ(front.exit_code, 0) << front.out << front.err;
+  const json found = json::parse(front.out);
+  for (const json& point : found["points"]) {
+    if (!point["from"].is_null()) EXPECT_LE(point["second"], point["from"]);
+  }
+  for (std::size_t i = 1; i < found["points"].size(); ++i) {
+    EXPECT_LT(found["points"][i]["second"], found["points"][i - 1]["second"]);
+  }
+  problem["max_reflected_inertia_kg_m2"] = found["none_from"];
+  place.write("gears.json", problem.dump());
+  EXPECT_EQ(place.run({"gearbox", "optimize", "gears.json"}).exit_code, 1);
+}
+
 TEST(Pareto, RefusesWhatItCannotTrade) {
   const Workplace place;
   place.write("knee.json", knee());

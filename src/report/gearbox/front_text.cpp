@@ -105,8 +105,8 @@ std::string front_text(const Problem& problem, const gearbox::ShownFront& shown)
                         point.first_bound, teeth_of(problem, point));
   }
   if (front.none_from) {
-    text +=
-        fmt::format("Proved: no design has a {} of {:.6g} or more.\n", second, *front.none_from);
+    text += fmt::format("Proved: no design has a {} of {:.6g} or {}.\n", second, *front.none_from,
+                        gearbox::is_greater_better(shown.second) ? "more" : "less");
   }
   if (!problem.assumed.empty()) {
     text += fmt::format("Assumed, neither published nor measured: {}.\n",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: the functions of <cmath> at points of the box.
-#include "gearbox/sized_proof/affine.hpp"
+#include "gearbox/sized_proof/enclosures/affine.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gearbox/sized_proof/affine.hpp"
+#include "gearbox/sized_proof/enclosures/affine.hpp"
 #include "gearbox/sized_proof/whole_choices.hpp"
 #include "tests/gearbox/synthesis/synthesis_example.hpp"
 #include "tests/long_run.hpp"

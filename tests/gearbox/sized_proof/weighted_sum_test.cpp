@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Oracle: a grid of points, on which the bound must not be above the least sum and must be near it.
-#include "gearbox/sized_proof/weighted_sum.hpp"
+#include "gearbox/sized_proof/enclosures/weighted_sum.hpp"
 
 #include <gtest/gtest.h>
 

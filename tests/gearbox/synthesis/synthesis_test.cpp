@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
@@ -10,6 +11,7 @@
 #include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "tests/gearbox/synthesis/synthesis_example.hpp"
+#include "tests/oracles/loaded_three_k.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -149,6 +151,46 @@ TEST(Synthesis, OfAnOpenTopologySharesItsBoxesAndKeepsAValidBound) {
     EXPECT_LE(ended.bound_kg, whole.best->mass_kg) << boxes;
     EXPECT_LT(ended.boxes, whole.boxes);
   }
+}
+
+// Oracle: the same problem with a greater load, which asks the same of the teeth.
+TEST(Synthesis, MakesTeethBearMoreThanTheLoad) {
+  nlohmann::json root = test::small_synthesis();
+  root["planet_count"] = 3;
+  root["min_teeth"] = {{"sun", 50}, {"planet_1", 20}, {"planet_2", 16}};
+  root["load"]["output_torque_Nm"] = 90;
+  root["synthesis"]["min_torque_borne_Nm"] = 110;
+  const SynthesisResult floored = synthesise(test::problem_from(root));
+  root["synthesis"].erase("min_torque_borne_Nm");
+  root["load"]["output_torque_Nm"] = 110;
+  const SynthesisResult loaded = synthesise(test::problem_from(root));
+  ASSERT_TRUE(floored.best && loaded.best);
+  EXPECT_EQ(floored.best->mass_kg, loaded.best->mass_kg);
+  EXPECT_EQ(floored.bound_kg, loaded.bound_kg);
+  EXPECT_GE(floored.best->borne.joint_Nm, 110.0);
+  const auto& constraints = floored.best->report.constraints;
+  const auto own = std::find_if(constraints.begin(), constraints.end(),
+                                [](const auto& each) { return each.name == "torque_borne"; });
+  ASSERT_NE(own, constraints.end());
+  EXPECT_EQ(own->limit, 110.0);
+  EXPECT_TRUE(own->satisfied);
+}
+
+// A ring whose shaper's tip turns pointed within the shifts, where the formula of its root jumps:
+// boxes that hold both are bounded, so that the search ends. Oracle: an enumeration.
+TEST(Synthesis, EndsWhereAShaperTurnsPointed) {
+  nlohmann::json root = test::small_stage();
+  root["planet_count"] = 3;
+  root["ratio_tolerance"] = 0.003;
+  root["min_teeth"] = {{"sun", 26}, {"planet", 38}};
+  SynthesisOptions options;
+  options.max_boxes = 3000;
+  const SynthesisResult found = synthesise(test::problem_from(root), options);
+  EXPECT_EQ(found.status, SynthesisStatus::kOptimal);
+  const auto other = oracles::enumerate_loaded_trains(root, 10);
+  ASSERT_TRUE(found.best && other.lightest);
+  EXPECT_LE(found.bound_kg, other.lightest->mass_kg * 1.0002);
+  EXPECT_LE(found.best->mass_kg, other.lightest->mass_kg * 1.0012);
 }
 
 TEST(Synthesis, KeepsFloorsAndSaysWhereNoneIsLeft) {

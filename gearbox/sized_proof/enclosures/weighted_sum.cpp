@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/sized_proof/weighted_sum.hpp"
+#include "gearbox/sized_proof/enclosures/weighted_sum.hpp"
 
 #include <algorithm>
 #include <cmath>

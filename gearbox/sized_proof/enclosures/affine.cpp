@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gearbox/sized_proof/affine.hpp"
+#include "gearbox/sized_proof/enclosures/affine.hpp"
 
 namespace torquewright::gearbox::sized {
 namespace {
