@@ -257,7 +257,7 @@ class Terms {
     const RingShaper<T> shaper = ring_shaper(teeth_, *ring_);
     double place = 0.5;
     if (shaper.exists) {
-      if (!shaper.may_be_pointed) require(shaper.largest - teeth_.shaper_radius.value_or(0.0));
+      require(shaper.largest - teeth_.shaper_radius.value_or(0.0));
       const GearMesh<double>& middle = amid(*ring_);
       const RingShaper<double> tool = ring_shaper(teeth_, middle);
       if (tool.exists) place = worst_place(middle, tool);

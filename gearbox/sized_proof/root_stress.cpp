@@ -175,8 +175,7 @@ RingShaper<T> ring_shaper(const LoadedTeeth& teeth, const GearMesh<T>& mesh) {
   const T tip_tangent = root(squared((1.0 / shaper.base) * shaper.tip) - 1.0);
   const T land_rad = half_land_rad - involute(tip_tangent);
   shaper.is_pointed = highest(land_rad) < 0.0;
-  shaper.may_be_pointed = !(lowest(land_rad) >= 0.0);
-  if (shaper.is_pointed || (shaper.may_be_pointed && std::is_same_v<T, double>)) return shaper;
+  if (!(lowest(land_rad) >= 0.0)) return shaper;
   const T string = mesh.tangent_distance() + mesh.first.reach() -
                    (0.5 * between * kReferenceCosine) * shaper.tangent;
   shaper.largest = (squared(shaper.tip) - shaper.base * shaper.base - squared(string)) /
@@ -224,23 +223,20 @@ double worst_place(const GearMesh<double>& mesh, const RingShaper<double>& shape
 template <class T>
 std::optional<T> ring_root_mm(const LoadedTeeth& teeth, const GearMesh<T>& mesh,
                               const RingShaper<T>& shaper, const MeshLoad& load, double place) {
-  const auto width_mm = [&](const NotchFactors<T>& factors) -> T {
-    return root_mm(teeth, load, T(factors.form * factors.stress), mesh.contact_ratio,
-                   root_limit_MPa(teeth.root, factors.stress, 1.0));
-  };
-  // A rack's tooth, as high as the shaper's addendum and the ring's own, whatever the shift.
-  const auto of_rack = [&]() -> T {
+  NotchFactors<T> factors;
+  if (shaper.exists) {
+    factors = at_place(mesh, shaper, trochoid(mesh, shaper), place);
+  } else if (shaper.is_pointed || std::is_same_v<T, double>) {
+    // A rack's tooth, as high as the shaper's addendum and the ring's own, whatever the shift.
     const double radius = teeth.shaper_radius.value_or(kRingFilletRadius);
     const RootFactors rack =
         din3990_ring_root_factors(teeth.shaper_depth + 1.0, {teeth.shaper_depth, radius});
-    return width_mm({T(rack.form), T(rack.concentration)});
-  };
-  if (shaper.exists) {
-    const T shaped = width_mm(at_place(mesh, shaper, trochoid(mesh, shaper), place));
-    return shaper.may_be_pointed ? least(shaped, of_rack()) : shaped;
+    factors = {T(rack.form), T(rack.concentration)};
+  } else {
+    return std::nullopt;
   }
-  if (shaper.is_pointed || std::is_same_v<T, double>) return of_rack();
-  return std::nullopt;
+  return root_mm(teeth, load, T(factors.form * factors.stress), mesh.contact_ratio,
+                 root_limit_MPa(teeth.root, factors.stress, 1.0));
 }
 
 template double external_root_mm(const LoadedTeeth&, const GearMesh<double>&, bool, const double&,

@@ -41,13 +41,10 @@ struct RingShaper {
   double teeth = 0.0, base = 0.0;
   T tangent;  ///< Of the working angle of shaper and ring.
   T centre, tip;
-  T largest;   ///< Rounding that leaves the planet its involute.
-  T rounding;  ///< What it has.
-  /// Its numbers are known. Where its tip is pointed they go on with no rounding, for a box that
-  /// holds both.
-  bool exists = false;
-  bool may_be_pointed = false;
-  bool is_pointed = false;  ///< All over the box.
+  T largest;                ///< Rounding that leaves the planet its involute.
+  T rounding;               ///< What it has.
+  bool exists = false;      ///< Surely.
+  bool is_pointed = false;  ///< Surely.
 };
 
 template <class T>

@@ -209,9 +209,7 @@ struct Shaper {
   T centre, tip;
   T largest_rounding;  ///< That leaves the planet its involute.
   T rounding;
-  /// Its numbers are known: with no rounding where it is pointed, for a box that holds both.
-  bool exists = false;
-  bool may_be_pointed = false;
+  bool exists = false;      ///< Surely.
   bool is_pointed = false;  ///< Surely: then a rack's tooth stands for the ring's.
 };
 
@@ -233,8 +231,7 @@ Shaper<T> shaper_of(const InnerCase& inner, const Mesh<T>& mesh) {
   const T tip_tangent = sqrt(square(shaper.tip / shaper.base) - 1.0);
   const T land_rad = half_land_rad - involute_of(tip_tangent);
   shaper.is_pointed = highest(land_rad) < 0.0;
-  shaper.may_be_pointed = !(lowest(land_rad) >= 0.0);
-  if (shaper.is_pointed || (shaper.may_be_pointed && is_number<T>)) return shaper;
+  if (!(lowest(land_rad) >= 0.0)) return shaper;
   const T string = tangent_distance(mesh) + planet.base_radius() * planet.tip_tangent -
                    0.5 * between * kReferenceCosine * shaper.tangent;
   const T tip_string = shaper.base * tip_tangent;
@@ -335,24 +332,21 @@ double worst_share(const InnerCase& inner, const Mesh<Slope>& wide, const Shaper
 template <class T>
 std::optional<T> ring_root_mm(const InnerCase& inner, const Mesh<T>& mesh, const Shaper<T>& shaper,
                               double force_N, double module_mm) {
-  const auto width_mm = [&](const Factors<T>& factors) -> T {
-    return root_width_mm<T>(inner, force_N, module_mm, factors.form * factors.concentration,
-                            mesh.ratio, root_limit_MPa(inner, factors.concentration, 1.0));
-  };
-  // The ring's tooth is as high as its shaper's addendum and its own, whatever its shift.
-  const auto of_rack = [&]() -> T {
+  Factors<T> factors;
+  if (shaper.exists) {
+    const double place = worst_share(inner, mesh, shaper);
+    factors = fillet_factors(mesh, shaper, fillet_of(mesh, shaper), place);
+  } else if (is_number<T> || shaper.is_pointed) {
+    // The ring's tooth is as high as its shaper's addendum and its own, whatever its shift.
     const double radius = inner.shaper_tip_radius.value_or(kRingFilletRadius);
     const RootFactors rack =
         din3990_ring_root_factors(inner.shaper_depth + 1.0, {inner.shaper_depth, radius});
-    return width_mm({T(rack.form), T(rack.concentration)});
-  };
-  if (shaper.exists) {
-    const double place = worst_share(inner, mesh, shaper);
-    const T shaped = width_mm(fillet_factors(mesh, shaper, fillet_of(mesh, shaper), place));
-    return shaper.may_be_pointed ? min(shaped, of_rack()) : shaped;
+    factors = {T(rack.form), T(rack.concentration)};
+  } else {
+    return std::nullopt;
   }
-  if (is_number<T> || shaper.is_pointed) return of_rack();
-  return std::nullopt;
+  return root_width_mm<T>(inner, force_N, module_mm, factors.form * factors.concentration,
+                          mesh.ratio, root_limit_MPa(inner, factors.concentration, 1.0));
 }
 
 /// Width that the flanks of a mesh ask for, the inner point of single contact of gear 1 (second:
@@ -518,10 +512,9 @@ void add_dear_ring_margins(const InnerCase& inner, RingLayer<T>& layer, Gathered
               tip_thickness(mesh.second, kInternal) - inner.min_tip_thickness);
   margins.add("interference.trochoid", trochoid_margin(mesh));
   layer.shaper = shaper_of(inner, mesh);
-  const bool is_sure = layer.shaper.exists && !layer.shaper.may_be_pointed;
-  margins.add(
-      "root_form.shaper",
-      is_sure ? T(layer.shaper.largest_rounding - inner.shaper_tip_radius.value_or(0.0)) : T(0.0));
+  margins.add("root_form.shaper", layer.shaper.exists ? T(layer.shaper.largest_rounding -
+                                                          inner.shaper_tip_radius.value_or(0.0))
+                                                      : T(0.0));
 }
 
 template <class T>

@@ -11,7 +11,6 @@
 #include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "tests/gearbox/synthesis/synthesis_example.hpp"
-#include "tests/oracles/loaded_three_k.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -174,23 +173,6 @@ TEST(Synthesis, MakesTeethBearMoreThanTheLoad) {
   ASSERT_NE(own, constraints.end());
   EXPECT_EQ(own->limit, 110.0);
   EXPECT_TRUE(own->satisfied);
-}
-
-// A ring whose shaper's tip turns pointed within the shifts, where the formula of its root jumps:
-// boxes that hold both are bounded, so that the search ends. Oracle: an enumeration.
-TEST(Synthesis, EndsWhereAShaperTurnsPointed) {
-  nlohmann::json root = test::small_stage();
-  root["planet_count"] = 3;
-  root["ratio_tolerance"] = 0.003;
-  root["min_teeth"] = {{"sun", 26}, {"planet", 38}};
-  SynthesisOptions options;
-  options.max_boxes = 3000;
-  const SynthesisResult found = synthesise(test::problem_from(root), options);
-  EXPECT_EQ(found.status, SynthesisStatus::kOptimal);
-  const auto other = oracles::enumerate_loaded_trains(root, 10);
-  ASSERT_TRUE(found.best && other.lightest);
-  EXPECT_LE(found.bound_kg, other.lightest->mass_kg * 1.0002);
-  EXPECT_LE(found.best->mass_kg, other.lightest->mass_kg * 1.0012);
 }
 
 TEST(Synthesis, KeepsFloorsAndSaysWhereNoneIsLeft) {
