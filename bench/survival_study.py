@@ -4,7 +4,7 @@
 engine, and writes the table of docs/survival.md between its marks. Trials are those of
 specs/randomisation/hopper.json, sensor noise included; a plan that is there is taken as it is.
 
-    bench/survival_study.py PROGRAM [--trials 60] [--only hop ...] [--controllers lqr weighing]
+    bench/survival_study.py PROGRAM [--pushes] [--trials 60] [--only hop ...] [--controllers lqr weighing]
                             [--known "" "no shift" "2 %, 3 mm"] [--seed 3]
                             [--folder build/study_survival] [--write]
 """
@@ -21,6 +21,7 @@ ROBOT = SPECS / "robot/hopper.json"
 RANDOMISATION = SPECS / "randomisation/hopper.json"
 PAGE = pathlib.Path("docs/survival.md")
 MARKS = ("<!-- written by scripts/study-survival -->", "<!-- end of survival -->")
+PUSH_MARKS = ("<!-- pushes, by scripts/study-survival -->", "<!-- end of pushes -->")
 MOTIONS = {
     "hop": ["--task", "hop"],
     "hop, reserve 0.12": ["--task", "hop", "--reserve", "0.12"],
@@ -36,6 +37,11 @@ ENGINES = {"own engine, rigid ground": ["--engine", "own"],
            "own, 1 ms": ["--engine", "own", "--ground-time-constant", "0.001"],
            "MuJoCo, 1 ms": ["--engine", "mujoco"]}
 UP = ("stands", "missed", "trembles")
+WAYS = {"forwards": (1, 0, 0), "backwards": (-1, 0, 0), "to the left": (0, 1, 0),
+        "to the right": (0, -1, 0)}
+PUSHED_S = "2"
+PUSHED_HOPS = ["--task", "hop", "--repeat", "2", "--alike", "--speed", "0.4", "--reserve", "0.08",
+               "--intervals", "60"]
 HOPS = {"four hops at 0.8 m/s, reserve 0.12": ["--hops", "4"]}
 RATIO = re.compile(r" at (\d+):1")
 # How well the robots that are drawn are known, beside what the document says: ranges of masses,
@@ -128,29 +134,66 @@ def rows(options):
             yield f"| {name} | -{' | no plan' * len(ENGINES)} |"
 
 
+def is_up(options, engine, command, push):
+    run = subprocess.run([options.program, "hopper", "replay", *command, *ENGINES[engine],
+                          "--push", push, "--json"], capture_output=True, text=True)
+    return json.loads(run.stdout)["verdict"] in UP
+
+
+def greatest_push(options, engine, command, way):
+    """In N s, in steps of half a one: the last before the first after which it is not up."""
+    halves = 0
+    while is_up(options, engine, command,
+                ",".join(str(0.5 * (halves + 1) * each) for each in way) + "@" + PUSHED_S):
+        halves += 1
+    return 0.5 * halves
+
+
+def push_rows(options):
+    """Robots as documented; the push at a time when the hopping one is in the air."""
+    folder = pathlib.Path(options.folder)
+    hops = folder / "hops_at_0_4.csv"
+    if not hops.exists():
+        subprocess.run([options.program, "hopper", "flip", str(ROBOT), *PUSHED_HOPS, "-o",
+                        str(hops)], stdout=subprocess.DEVNULL)
+    squat = str(SPECS / "trajectory/hopper_squat.csv")
+    pushed = {"stands": [str(ROBOT), squat, "--controller", "weighing", "--stand", "3"],
+              "hops at 0.4 m/s": [str(ROBOT), str(hops), "--hops", "8", "--controller", "stepping",
+                                  "--forward", "0.4"]}
+    for name, command in pushed.items():
+        for engine in ENGINES:
+            cells = [f"{greatest_push(options, engine, command, way):g}" for way in WAYS.values()]
+            yield f"| {name} | {engine} | {' | '.join(cells)} |"
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("program")
     parser.add_argument("--trials", type=int, default=60)
     parser.add_argument("--only", nargs="+", choices=MOTIONS, default=list(MOTIONS))
-    parser.add_argument("--controllers", nargs="+", default=["lqr", "weighing"])
+    parser.add_argument("--controllers", nargs="+", default=["weighing"])
     parser.add_argument("--known", nargs="+", choices=KNOWN,
                         help="default: all where the flip is at another ratio, else the papers'")
     parser.add_argument("--seed", type=int, default=3,
                         help="1 and 2 chose the regulator's constants")
     parser.add_argument("--folder", default="build/study_survival")
     parser.add_argument("--write", action="store_true")
+    parser.add_argument("--pushes", action="store_true", help="pushes in the place of trials")
     options = parser.parse_args()
-    table = [f"| motion | controller | {' | '.join(ENGINES)} |", "|---|---|" + "---|" * len(ENGINES)]
-    for row in rows(options):
+    if options.pushes:
+        heads, found, marks = ["robot", "engine", *WAYS], push_rows(options), PUSH_MARKS
+    else:
+        heads, found, marks = ["motion", "controller", *ENGINES], rows(options), MARKS
+    table = ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads)]
+    for row in found:
         print(row, flush=True)
         table.append(row)
     if not options.write:
         return
     page = PAGE.read_text()
-    before, rest = page.split(MARKS[0])
-    after = rest.split(MARKS[1])[1]
-    PAGE.write_text(before + MARKS[0] + "\n\n" + "\n".join(table) + "\n\n" + MARKS[1] + after)
+    before, rest = page.split(marks[0])
+    after = rest.split(marks[1])[1]
+    PAGE.write_text(before + marks[0] + "\n\n" + "\n".join(table) + "\n\n" + marks[1] + after)
 
 
 main()
