@@ -41,7 +41,7 @@ std::vector<json> proved_examples() {
 TEST(SizedProof, HoldsBelowTheBestOfAnEnumerationAndNotAboveIt) {
   const bool is_long = torquewright::test::is_long_run();
   int with_designs = 0;
-  for (std::size_t i = 0; i < proved_examples().size(); i += is_long ? 1 : 4) {
+  for (std::size_t i = 0; i < proved_examples().size(); i += is_long ? 1 : 6) {
     const json root = proved_examples()[i];
     const Problem problem = test::problem_from(root);
     const oracles::LoadedTrains other = oracles::enumerate_loaded_trains(root, is_long ? 16 : 6);
@@ -57,7 +57,7 @@ TEST(SizedProof, HoldsBelowTheBestOfAnEnumerationAndNotAboveIt) {
     EXPECT_FALSE(prove_lightest(problem, 1.0002 * best_kg, effort).holds) << root;
     EXPECT_FALSE(prove_lightest(problem, kInfinity, effort).holds) << root;
   }
-  EXPECT_GE(with_designs, is_long ? 5 : 2);
+  EXPECT_GE(with_designs, is_long ? 5 : 1);
 }
 
 TEST(SizedProof, GoesThroughAllWholeNumbers) {
