@@ -140,4 +140,14 @@ std::optional<std::vector<ConflictMember>> floor_conflict(const Problem& problem
   return members;
 }
 
+void explain_conflict(const Problem& problem, const SynthesisOptions& options,
+                      SynthesisResult& result) {
+  result.conflict = floor_conflict(problem, options);
+  if (!result.conflict) return;
+  result.left_out = demands_of(problem);
+  for (const ConflictMember& member : *result.conflict) {
+    std::erase(result.left_out, member.constraint);
+  }
+}
+
 }  // namespace torquewright::gearbox

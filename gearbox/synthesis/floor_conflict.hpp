@@ -27,4 +27,8 @@ ConflictMember conflict_member(const Problem& problem, const std::string& demand
 std::optional<std::vector<ConflictMember>> floor_conflict(const Problem& problem,
                                                           const SynthesisOptions& options);
 
+/// The same for a result without design, with the demands that have no part in it.
+void explain_conflict(const Problem& problem, const SynthesisOptions& options,
+                      SynthesisResult& result);
+
 }  // namespace torquewright::gearbox

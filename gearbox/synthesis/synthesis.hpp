@@ -58,6 +58,7 @@ struct SynthesisResult {
   /// Where there is no design: floors and ceilings that conflict (floor_conflict.hpp). Nothing:
   /// they were not asked for, or not found in time.
   std::optional<std::vector<ConflictMember>> conflict;
+  std::vector<std::string> left_out;  ///< Demands that have no part in it.
   /// Each of them, where the problem leaves the topology open: the answer is over all.
   std::vector<TopologyAnswer> topologies;
 };

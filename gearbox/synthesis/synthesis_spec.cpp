@@ -11,7 +11,6 @@
 #include "gearbox/search/certificate_spec.hpp"
 #include "gearbox/search/result_spec.hpp"
 #include "gearbox/strength/problem_strength.hpp"
-#include "gearbox/synthesis/floor_conflict.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -106,24 +105,15 @@ ordered_json sized_claim_json(const Problem& problem, const TopologyAnswer& answ
   return claim;
 }
 
-/// Demands that have no part in the conflict: without them too there is no design.
-std::vector<std::string> left_out(const Problem& problem, const SynthesisResult& found) {
-  if (found.status != SynthesisStatus::kInfeasible || !found.conflict) return {};
-  std::vector<std::string> names = demands_of(problem);
-  for (const ConflictMember& member : *found.conflict) std::erase(names, member.constraint);
-  return names;
-}
-
 ordered_json sized_claims_json(const Problem& problem, const SynthesisResult& found) {
   std::vector<TopologyAnswer> answers = found.topologies;
   if (answers.empty()) {
     answers.push_back({problem.topology, found.status, {}, found.bound_kg, found.choices, {}});
   }
-  const std::vector<std::string> without = left_out(problem, found);
   ordered_json list = ordered_json::array();
   for (const TopologyAnswer& answer : answers) {
     if (answer.status != SynthesisStatus::kInfeasible && !(answer.bound_kg > 0.0)) continue;
-    list.push_back(sized_claim_json(problem, answer, without));
+    list.push_back(sized_claim_json(problem, answer, found.left_out));
   }
   return list;
 }

@@ -52,7 +52,7 @@ SynthesisResult synthesised(const OptimizeRequest& request, const gearbox::Probl
   SynthesisResult found = gearbox::synthesise(problem, options);
   if (found.status != SynthesisStatus::kInfeasible) return found;
   options.max_boxes = 0;
-  found.conflict = gearbox::floor_conflict(problem, options);
+  gearbox::explain_conflict(problem, options, found);
   return found;
 }
 

@@ -36,7 +36,7 @@ Json sized_result(const Json& problem, std::int64_t max_boxes = 0) {
   SynthesisOptions options;
   options.max_boxes = max_boxes;
   SynthesisResult found = synthesise(read, options);
-  if (found.status == SynthesisStatus::kInfeasible) found.conflict = floor_conflict(read, {});
+  if (found.status == SynthesisStatus::kInfeasible) explain_conflict(read, {}, found);
   nlohmann::ordered_json result = synthesis_json(read, found);
   result["problem"] = document.root;
   if (is_topology_open(read) && found.best) {
