@@ -165,6 +165,7 @@ const std::vector<LeftOut> kLeftOut = {
     {"jacobian: /table(/.*)?", "in place of the matrix"},
     {R"(randomisation: .*/\*/(bodies|drives|joints))", "names of one robot; absent: all"},
     {R"(policy: /estimator/layers/\*/(activation|alpha))", "shown by the layers behind"},
+    {R"(policy: /outputs/\*/course)", "of one that goes along a motion"},
     {"randomisation: /state_of_charge(/.*)?", "needs batteries with a curve"},
     {R"(rig: (.*/links(/.*)?|/columns/\*/joint))", "of a serial arm; the example is a pendulum"},
     {R"(rig: .*/steady)", "of a dynamometer; the example is a pendulum"},
