@@ -4,9 +4,10 @@
 engine, and writes the table of docs/survival.md between its marks. Trials are those of
 specs/randomisation/hopper.json, sensor noise included; a plan that is there is taken as it is.
 
-    bench/survival_study.py PROGRAM [--pushes] [--trials 60] [--only hop ...] [--controllers lqr weighing]
+    bench/survival_study.py PROGRAM [--trials 60] [--only hop ...] [--controllers lqr weighing]
                             [--known "" "no shift" "2 %, 3 mm"] [--seed 3]
                             [--folder build/study_survival] [--write]
+    bench/survival_study.py PROGRAM --pushes    # prints what pushes are survived instead
 """
 
 import argparse
@@ -21,7 +22,6 @@ ROBOT = SPECS / "robot/hopper.json"
 RANDOMISATION = SPECS / "randomisation/hopper.json"
 PAGE = pathlib.Path("docs/survival.md")
 MARKS = ("<!-- written by scripts/study-survival -->", "<!-- end of survival -->")
-PUSH_MARKS = ("<!-- pushes, by scripts/study-survival -->", "<!-- end of pushes -->")
 MOTIONS = {
     "hop": ["--task", "hop"],
     "hop, reserve 0.12": ["--task", "hop", "--reserve", "0.12"],
@@ -178,22 +178,25 @@ def main():
                         help="1 and 2 chose the regulator's constants")
     parser.add_argument("--folder", default="build/study_survival")
     parser.add_argument("--write", action="store_true")
-    parser.add_argument("--pushes", action="store_true", help="pushes in the place of trials")
+    parser.add_argument("--pushes", action="store_true",
+                        help="prints what pushes are survived, by direction, in N s")
     options = parser.parse_args()
     if options.pushes:
-        heads, found, marks = ["robot", "engine", *WAYS], push_rows(options), PUSH_MARKS
-    else:
-        heads, found, marks = ["motion", "controller", *ENGINES], rows(options), MARKS
-    table = ["| " + " | ".join(heads) + " |", "|" + "---|" * len(heads)]
-    for row in found:
+        print("| robot | engine | " + " | ".join(WAYS) + " |")
+        for row in push_rows(options):
+            print(row, flush=True)
+        return
+    table = [f"| motion | controller | {' | '.join(ENGINES)} |",
+             "|---|---|" + "---|" * len(ENGINES)]
+    for row in rows(options):
         print(row, flush=True)
         table.append(row)
     if not options.write:
         return
     page = PAGE.read_text()
-    before, rest = page.split(marks[0])
-    after = rest.split(marks[1])[1]
-    PAGE.write_text(before + marks[0] + "\n\n" + "\n".join(table) + "\n\n" + marks[1] + after)
+    before, rest = page.split(MARKS[0])
+    after = rest.split(MARKS[1])[1]
+    PAGE.write_text(before + MARKS[0] + "\n\n" + "\n".join(table) + "\n\n" + MARKS[1] + after)
 
 
 main()
