@@ -55,8 +55,8 @@ void add_simulation_options(command_line::Command& command, HopperReplayRequest&
       .stated_as("ground_rise_m", kSurroundingsPlace);
   command
       .add_option("--ground-time-constant", request.contact_time_constant_s,
-                  "Time constant with which the ground gives, critically damped, in s; MuJoCo's "
-                  "solref")
+                  "Time constant with which the ground gives, critically damped and giving nothing "
+                  "back whatever contacts' restitution, in s; MuJoCo's solref")
       .between(1e-4, 1.0)
       .otherwise("rigid in the own engine, 0.001 in MuJoCo")
       .stated_as("ground_time_constant_s", kGroundPlace);

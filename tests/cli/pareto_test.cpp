@@ -54,12 +54,17 @@ TEST(Pareto, OfWholeNumbersIsEveryDesignThatNoneDominates) {
   }
 }
 
-TEST(Pareto, OfASynthesisIsWhatOptimizeGivesForEachFloor) {
-  const Workplace place;
-  json problem = json::parse(R"({"kind": "gearbox_problem", "version": 1, "topology": "3k",
+/// A synthesis with few choices of teeth.
+json few_choices() {
+  return json::parse(R"({"kind": "gearbox_problem", "version": 1, "topology": "3k",
     "target_ratio": 20, "ratio_tolerance": 0, "rotor_inner_diameter_mm": 79.4, "module_mm": 0.7,
     "planet_count": 3, "min_teeth": {"sun": 50, "planet_1": 20, "planet_2": 16},
     "load": {"output_torque_Nm": 120, "cycles": 1000000}, "synthesis": {"gap": 0.01}})");
+}
+
+TEST(Pareto, OfASynthesisIsWhatOptimizeGivesForEachFloor) {
+  const Workplace place;
+  json problem = few_choices();
   place.write("gears.json", problem.dump());
   const Outcome front = place.run({"gearbox", "pareto", "gears.json", "--objectives",
                                    "mass,backward_efficiency", "--points", "3", "--json"});
@@ -87,10 +92,7 @@ TEST(Pareto, OfASynthesisIsWhatOptimizeGivesForEachFloor) {
 // Less of the inertia weighs more. Oracle: `gearbox optimize` with that ceiling.
 TEST(Pareto, OfASynthesisKnowsCeilings) {
   const Workplace place;
-  json problem = json::parse(R"({"kind": "gearbox_problem", "version": 1, "topology": "3k",
-    "target_ratio": 20, "ratio_tolerance": 0, "rotor_inner_diameter_mm": 79.4, "module_mm": 0.7,
-    "planet_count": 3, "min_teeth": {"sun": 50, "planet_1": 20, "planet_2": 16},
-    "load": {"output_torque_Nm": 120, "cycles": 1000000}, "synthesis": {"gap": 0.01}})");
+  json problem = few_choices();
   place.write("gears.json", problem.dump());
   const Outcome front = place.run({"gearbox", "pareto", "gears.json", "--objectives",
                                    "mass,reflected_inertia", "--points", "2", "--json"});
