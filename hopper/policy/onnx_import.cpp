@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <stdexcept>
 
 #include "hopper/policy/layer_chain.hpp"
@@ -35,21 +36,21 @@ class GraphReader {
  public:
   explicit GraphReader(const OnnxGraph& graph) : graph_(graph) {
     for (const OnnxTensor& constant : graph.constants) constants_[constant.name] = constant;
-    add_input();
   }
 
   learning::Policy read(const std::string& output) {
+    if (graph_.outputs.empty()) throw std::invalid_argument("it has no output");
+    const std::string wanted = output.empty() ? graph_.outputs.front().name : output;
+    add_input(wanted);
     for (const OnnxNode& node : graph_.nodes) {
       for (const std::string& input : node.inputs) ++uses_[input];
     }
     for (const OnnxValue& value : graph_.outputs) ++uses_[value.name];
-    ++uses_[output];
+    ++uses_[wanted];
     for (const OnnxNode& node : graph_.nodes) {
       read_node(node);
       for (const std::string& input : node.inputs) forget_one_use(input);
     }
-    if (graph_.outputs.empty()) throw std::invalid_argument("it has no output");
-    const std::string wanted = output.empty() ? graph_.outputs.front().name : output;
     const auto found = chains_.find(wanted);
     if (found != chains_.end()) return found->second.policy();
     const auto refused = refused_.find(wanted);
@@ -64,18 +65,37 @@ class GraphReader {
     if (--uses_[name] == 0) chains_.erase(name);
   }
 
-  /// Old files name constants among the inputs too.
-  void add_input() {
+  /// All that a value is computed from, itself too. Nodes stand in the order of their computation.
+  std::set<std::string> behind(const std::string& value) const {
+    std::set<std::string> needed{value};
+    for (auto node = graph_.nodes.rbegin(); node != graph_.nodes.rend(); ++node) {
+      if (std::any_of(node->outputs.begin(), node->outputs.end(),
+                      [&](const std::string& one) { return needed.contains(one); })) {
+        needed.insert(node->inputs.begin(), node->inputs.end());
+      }
+    }
+    return needed;
+  }
+
+  /// The one input that the wanted value depends on; others are passed over. Old files name
+  /// constants among the inputs too.
+  void add_input(const std::string& wanted) {
+    const std::set<std::string> needed = behind(wanted);
     std::vector<OnnxValue> inputs;
     for (const OnnxValue& input : graph_.inputs) {
-      if (!constants_.contains(input.name)) inputs.push_back(input);
+      if (needed.contains(input.name) && !constants_.contains(input.name)) inputs.push_back(input);
     }
-    if (inputs.size() != 1) {
+    if (inputs.empty()) {
+      throw std::invalid_argument(
+          fmt::format("it has no output \"{}\" that depends on its input", wanted));
+    }
+    if (inputs.size() > 1) {
       std::string names;
       for (const OnnxValue& input : inputs) names += (names.empty() ? "" : ", ") + input.name;
       throw std::invalid_argument(fmt::format(
-          "it has {} inputs ({}), and a policy here has one: one with a memory is not understood",
-          inputs.size(), names));
+          "its output \"{}\" depends on {} inputs ({}), and a policy here sees one: one "
+          "with a memory is not understood",
+          wanted, inputs.size(), names));
     }
     const auto& dimensions = inputs.front().dimensions;
     if (dimensions.empty() || dimensions.back() < 1 || dimensions.back() > kMostInputs) {

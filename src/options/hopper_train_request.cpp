@@ -32,7 +32,7 @@ void add_task_options(command_line::Command& command, HopperTrainRequest& reques
       .otherwise("what the task says of the start alone");
   command.add_flag("--curriculum", request.eases,
                    "Go by none of what --randomise says of bodies, ground, gains and sensors at "
-                   "first, by half and by all of it as soon as 8 of 10 judged runs do the task");
+                   "first, by a quarter more of it whenever 8 of 10 judged runs do the task");
   command
       .add_option(
           "--reference", request.reference_file,

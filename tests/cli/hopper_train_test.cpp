@@ -171,6 +171,8 @@ TEST_F(HopperTrain, RefusesWhatCannotBe) {
        "p.json.training");
   says({"hopper", "train", in_repository("specs/robot/rabbit.json").string(), "-o", "p.json"}, "");
   says({"hopper", "train", robot, "-o", "p.json", "--curriculum"}, "--randomise");
+  says({"hopper", "train", robot, "-o", "p.json", "--task", "flip_along"},
+       "--reference: is missing: the task flip_along follows a motion (/rewards/0)");
   const std::string squat = in_repository("specs/trajectory/hopper_squat.csv").string();
   says({"hopper", "train", robot, "-o", "p.json", "--reference", squat}, "never leaves the ground");
   says({"hopper", "replay", robot, in_repository("specs/trajectory/hopper_squat.csv").string(),

@@ -79,7 +79,6 @@ class HopperEnvironment::Work {
     step_ = first_step_ = control_ * steps_per_control_;
     look_number_ = 0;
     cut_steps_ = 0;
-    air_s_ = 0.0;
     looks_.clear();
     acting_.start(command());
     builder_.emplace(ready_, moved_->body(), command());
@@ -217,14 +216,9 @@ class HopperEnvironment::Work {
   }
 
   void note(const RewardInstant& at) {
-    if (at.is_in_air()) {
-      air_s_ += ready_.task.control_period_s;
-      end_.peak_cam_Nm_s = std::max(end_.peak_cam_Nm_s, at.momentum_Nm_s.y());
-      end_.peak_cav_rad_s = std::max(end_.peak_cav_rad_s, at.rotation_rad_s.y());
-      return;
-    }
-    if (air_s_ >= kCountedFlight_s) ++end_.flights;
-    air_s_ = 0.0;
+    if (!at.is_in_air()) return;
+    end_.peak_cam_Nm_s = std::max(end_.peak_cam_Nm_s, at.momentum_Nm_s.y());
+    end_.peak_cav_rad_s = std::max(end_.peak_cav_rad_s, at.rotation_rad_s.y());
   }
 
   /// A gear that is loaded beyond its limit ends the episode with a probability.
@@ -255,6 +249,7 @@ class HopperEnvironment::Work {
     end_.fell = is_over_;
     end_.time_s = at.time_s;
     end_.turned_rad = at.turned_rad;
+    end_.flights = at.flights;
     end_.clipped_share = step_ > first_step_ ? static_cast<double>(cut_steps_) /
                                                    static_cast<double>(step_ - first_step_)
                                              : 0.0;
@@ -284,7 +279,6 @@ class HopperEnvironment::Work {
   long first_step_ = 0;
   long control_ = 0;
   long cut_steps_ = 0;
-  double air_s_ = 0.0;
   bool is_over_ = false;
   VectorXd wanted_Nm_;
   EpisodeEnd end_;

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "dynamics/point.hpp"
+#include "hopper/verdict/goal.hpp"
 #include "hopper/verdict/turn.hpp"
 #include "robot/model/touching_point.hpp"
 
@@ -40,6 +41,7 @@ InstantBuilder::InstantBuilder(const ReadyTask& ready, WholeBody& body, const Co
   at_.asked.yaw_rad_s = command.yaw_rad_s;
   at_.asked.clearance_m = task.clearance_m;
   at_.asked.is_standing = task.goal.most_flights == 0;
+  at_.asked.flights = task.goal.most_flights;
   const auto joints = static_cast<Index>(ready.robot.tree.bodies.size()) - 1;
   const auto points = static_cast<Index>(ready.robot.contacts.size());
   at_.reference_rad = ready.skill.hold_rad;
@@ -66,6 +68,9 @@ InstantBuilder::InstantBuilder(const ReadyTask& ready, WholeBody& body, const Co
 void InstantBuilder::begin_on_the_way(double time_s, double turned_rad) {
   at_.time_s = time_s;
   at_.turned_rad = turned_rad;
+  const PhaseTimes& phase = ready_.task.phase;
+  at_.flights = time_s >= phase.landing_s ? 1 : 0;
+  air_s_ = at_.flights == 0 ? std::max(0.0, time_s - phase.take_off_s) : 0.0;
   began_ = base_attitude(ready_.robot.tree, ready_.start_position);
 }
 
@@ -108,8 +113,18 @@ const RewardInstant& InstantBuilder::finish(double time_s, bool fell, WholeBody&
   at_.impulse_N_s /= steps;
   at_.time_s = time_s;
   at_.fell = fell;
+  count_flights();
   set_state(body, ground_m);
   return at_;
+}
+
+void InstantBuilder::count_flights() {
+  if (at_.is_in_air()) {
+    air_s_ += ready_.task.control_period_s;
+    return;
+  }
+  if (air_s_ >= kCountedFlight_s) ++at_.flights;
+  air_s_ = 0.0;
 }
 
 void InstantBuilder::set_state(WholeBody& body, double ground_m) {

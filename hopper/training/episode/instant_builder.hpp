@@ -31,6 +31,7 @@ class InstantBuilder {
 
  private:
   void set_state(WholeBody& body, double ground_m);
+  void count_flights();
   void set_foot(const dynamics::TreeState& state, double ground_m);
 
   const ReadyTask& ready_;
@@ -38,6 +39,7 @@ class InstantBuilder {
   Eigen::Matrix3d began_;   ///< Attitude of the base at the begin.
   Eigen::Matrix3d before_;  ///< And at the last control step.
   Eigen::VectorXd ratio_;   ///< Of each drive.
+  double air_s_ = 0.0;      ///< For how long nothing has touched the ground.
   int steps_ = 0;
 };
 

@@ -16,6 +16,7 @@ struct Asked {
   double yaw_rad_s = 0.0;    ///< Commanded turning about the world's z.
   double clearance_m = 0.0;  ///< How high the foot goes in the air.
   bool is_standing = false;  ///< Whether it is to stand still.
+  int flights = 0;           ///< How often it is to leave the ground at most.
 };
 
 /// A robot after a control step: all that a reward may be made of. Vectors by joint are of the
@@ -51,6 +52,7 @@ struct RewardInstant {
   /// Joints and turn of the base that the followed motion has at this time; without joints: none.
   Eigen::VectorXd followed_rad;
   double followed_turn_rad = 0.0;
+  int flights = 0;    ///< It came down from, of at least kCountedFlight_s each.
   bool fell = false;  ///< A body that is no foot came to the ground in the step.
 
   bool is_in_air() const { return !touches.any(); }

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 
 #include "hopper/check/hopper_check.hpp"
 #include "hopper/engines/library.hpp"
@@ -104,7 +105,7 @@ class TrainingRun {
     }
     if (request_.eases) {
       if (request_.randomise_file.empty()) io::refuse("--curriculum", "needs --randomise");
-      options.shares = {0.0, 0.5, 1.0};
+      options.shares = {0.0, 0.25, 0.5, 0.75, 1.0};
     }
     episodes.mid_states = mid_states_;
     options.seed = request_.seed;
@@ -124,9 +125,24 @@ class TrainingRun {
     return motion;
   }
 
+  /// A task that pays for following has nothing to learn from without a motion.
+  void require_nothing_followed() const {
+    const auto& rewards = ready_.task.rewards;
+    for (std::size_t i = 0; i < rewards.size(); ++i) {
+      if (std::string_view(rewards[i].term->name) != "follow") continue;
+      io::refuse("--reference",
+                 fmt::format("is missing: the task {} follows a motion (/rewards/{}), such as "
+                             "torquewright hopper flip writes",
+                             ready_.task.name, i));
+    }
+  }
+
   /// Lays the task on the motion of --reference, if there is one.
   std::shared_ptr<const std::vector<hopper::MidState>> followed() {
-    if (request_.reference_file.empty()) return nullptr;
+    if (request_.reference_file.empty()) {
+      require_nothing_followed();
+      return nullptr;
+    }
     const hopper::Motion motion = reference();
     const hopper::TimeInAir flight = hopper::flight_of(ready_, motion);
     ready_ = hopper::ready_task(read_.robot,

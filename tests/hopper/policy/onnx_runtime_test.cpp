@@ -37,6 +37,13 @@ fs::path folder_with(const std::vector<PolicyDocument>& documents) {
     std::ofstream(name + ".in") << std::setprecision(9)
                                 << test::sample_observations(documents[i], kViews).transpose()
                                 << "\n";
+    std::ofstream course(name + ".course");
+    for (long period = 0; period < kViews; ++period) {
+      for (const PolicyOutput& output : documents[i].outputs) {
+        course << course_at(output, period) << " ";
+      }
+      course << "\n";
+    }
   }
   return folder;
 }
@@ -44,10 +51,10 @@ fs::path folder_with(const std::vector<PolicyDocument>& documents) {
 void expect_said(const PolicyDocument& document, std::istream& out) {
   learning::PolicyEvaluation policy(document.policy);
   const Eigen::MatrixXd views = test::sample_observations(document, kViews);
-  for (const auto& view : views.colwise()) {
-    const Eigen::VectorXd action = policy.action(view);
+  for (Eigen::Index period = 0; period < kViews; ++period) {
+    const Eigen::VectorXd action = policy.action(views.col(period));
     Eigen::VectorXd expected(2 * action.size());
-    expected << action, test::target_of(document, action);
+    expected << action, test::target_of(document, action, period);
     for (Eigen::Index i = 0; i < expected.size(); ++i) {
       double found = 1e9;
       out >> found;
@@ -57,7 +64,8 @@ void expect_said(const PolicyDocument& document, std::istream& out) {
 }
 
 void expect_same(const std::string& runtime, const std::string& name) {
-  const std::vector<PolicyDocument> documents = test::sample_policies();
+  std::vector<PolicyDocument> documents = test::sample_policies();
+  documents.push_back(test::policy_along_a_course());
   const std::string folder = folder_with(documents).string();
   const std::string command =
       runtime + " " + folder + " " + std::to_string(documents.size()) + " > " + folder + "/out";

@@ -150,9 +150,9 @@ TEST(OnnxImport, RefusesByNameWhatItDoesNotUnderstand) {
   EXPECT_EQ(clipped.refusal().substr(0, 36), "node \"n_held\" (Clip): not understood");
   ForeignGraph recurrent;
   recurrent.graph.inputs.push_back({"h_in", {1, 64}});
-  EXPECT_EQ(recurrent.node("Tanh", {"obs"}, "out").refusal(),
-            "it has 2 inputs (obs, h_in), and a policy here has one: one with a memory is not "
-            "understood");
+  EXPECT_EQ(recurrent.node("Tanh", {"h_in"}, "held").node("Add", {"obs", "held"}, "out").refusal(),
+            "its output \"out\" depends on 2 inputs (obs, h_in), and a policy here sees one: one "
+            "with a memory is not understood");
   ForeignGraph squared;
   EXPECT_EQ(squared.node("Mul", {"obs", "obs"}, "out").refusal(),
             "node \"n_out\" (Mul): both sides depend on the input; one is to be a constant");
@@ -171,8 +171,23 @@ TEST(OnnxImport, RefusesByNameWhatItDoesNotUnderstand) {
 
 TEST(OnnxImport, PassesOverWhatTheOutputDoesNotDependOn) {
   ForeignGraph foreign;
+  foreign.graph.inputs.push_back({"time", {1, 1}});
   foreign.node("Softmax", {"obs"}, "beside").node("Tanh", {"obs"}, "out");
+  foreign.node("Add", {"out", "time"}, "later");
   EXPECT_NEAR(foreign.at(0.4, 0.0)(0), std::tanh(0.4), kFloatError);
+}
+
+// What goes by the time stands in the document; the network is the same without it.
+TEST(OnnxImport, ReadsTheNetworkOfAPolicyThatCorrectsACourse) {
+  const PolicyDocument document = test::policy_along_a_course();
+  const OnnxGraph graph = onnx_graph_in(onnx_bytes(onnx_graph_of(document)));
+  PolicyEvaluation was(document.policy);
+  PolicyEvaluation is(policy_of_graph(graph, ""));
+  const Eigen::MatrixXd views = test::sample_observations(document, 20);
+  for (const auto& view : views.colwise()) {
+    EXPECT_LT((is.action(view) - was.action(view)).norm(), 5e-6);  // floats, as above
+  }
+  EXPECT_THROW(policy_of_graph(graph, "target"), std::invalid_argument);
 }
 
 TEST(OnnxImport, RefusesEveryShortenedFileWithASentence) {

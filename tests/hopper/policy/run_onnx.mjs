@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // node run_onnx.mjs NODE_MODULES FOLDER COUNT: runs ONNX Runtime on FOLDER/0.onnx with the rows of
-// numbers of FOLDER/0.in, and so on, and prints, row by row, every output. Exit code 77: there is no
-// such runtime.
+// numbers of FOLDER/0.in, and so on, and prints, row by row, every output. A model that goes by the
+// time is shown the rows of FOLDER/0.course too. Exit code 77: there is no such runtime.
 import {readFileSync} from 'node:fs';
 import {createRequire} from 'node:module';
 import {pathToFileURL} from 'node:url';
@@ -16,14 +16,17 @@ try {
 }
 ort.env.wasm.numThreads = 1;
 for (let model = 0; model < Number(count); ++model) {
-  const text = readFileSync(`${folder}/${model}.in`, 'utf8').trim();
-  const rows = text.split('\n').map(line => line.trim().split(/\s+/).map(Number));
+  const table = ending => {
+    const lines = readFileSync(`${folder}/${model}.${ending}`, 'utf8').trim().split('\n');
+    const rows = lines.map(line => line.trim().split(/\s+/).map(Number));
+    return new ort.Tensor('float32', Float32Array.from(rows.flat()), [rows.length, rows[0].length]);
+  };
   const session =
       await ort.InferenceSession.create(new Uint8Array(readFileSync(`${folder}/${model}.onnx`)));
-  const seen =
-      new ort.Tensor('float32', Float32Array.from(rows.flat()), [rows.length, rows[0].length]);
-  const said = await session.run({[session.inputNames[0]]: seen});
-  for (let i = 0; i < rows.length; ++i) {
+  const shown = {observation: table('in')};
+  if (session.inputNames.includes('course')) shown.course = table('course');
+  const said = await session.run(shown);
+  for (let i = 0; i < shown.observation.dims[0]; ++i) {
     const numbers = session.outputNames.flatMap(name => {
       const width = said[name].dims[1];
       return Array.from(said[name].data.slice(i * width, (i + 1) * width));

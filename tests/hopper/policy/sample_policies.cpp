@@ -69,6 +69,13 @@ std::vector<PolicyDocument> sample_policies() {
   return all;
 }
 
+PolicyDocument policy_along_a_course() {
+  PolicyDocument document = sample_policy(ActivationKind::kElu, false);
+  document.outputs[0].course = {0.5, -1.0, 2.0};
+  document.outputs[1].course = {0.1};
+  return document;
+}
+
 Eigen::MatrixXd sample_observations(const PolicyDocument& document, Eigen::Index count) {
   Generator generator(12, 0);
   const learning::Normalisation& usual = document.policy.normalisation;

@@ -14,6 +14,9 @@ PolicyDocument sample_policy(learning::ActivationKind kind, bool has_estimator);
 /// One of every activation, with and without an estimator.
 std::vector<PolicyDocument> sample_policies();
 
+/// One whose targets go by the time too.
+PolicyDocument policy_along_a_course();
+
 /// Observations (inputs x count) for it, within three deviations of what is usual.
 Eigen::MatrixXd sample_observations(const PolicyDocument& document, Eigen::Index count);
 

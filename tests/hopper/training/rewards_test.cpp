@@ -132,6 +132,16 @@ TEST(FlipRewards, FollowAMotionAndStayOnTheGroundBesideTheFlight) {
   EXPECT_EQ(value_of(rewards::grounded, at), 1.0);
 }
 
+TEST(FlipRewards, AFurtherFlightIsOneMoreThanTheGoalHas) {
+  RewardInstant at = flying();
+  at.asked.flights = 1;
+  EXPECT_EQ(value_of(rewards::further_flight, at), 0.0);  // its first
+  at.flights = 1;
+  EXPECT_EQ(value_of(rewards::further_flight, at), 1.0);
+  at.touches[0] = true;
+  EXPECT_EQ(value_of(rewards::further_flight, at), 0.0);
+}
+
 TEST(FlipRewards, BarriersSumOverJointsAndGears) {
   const RewardInstant at = flying();
   // b(10) + b(29.5; delta 1): log 40 + log 20 + log 59.5 + (log 1 - ((0.5 - 2)^2 - 1) / 2).

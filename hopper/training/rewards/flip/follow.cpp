@@ -18,8 +18,8 @@ double value(const RewardInstant& at, const RewardNumbers& numbers) {
 
 const RewardTerm follow = {.name = "follow",
                            .sentence =
-                               "ours: joints and turn of the base as the motion of --reference has "
-                               "them then; nothing without one",
+                               "ours: joints and turn of the base as the motion of --reference, "
+                               "which it needs, has them then",
                            .role = RewardRole::kExtra,
                            .usual = {.weight = 10.0, .rate = 4.0},
                            .value = value};
