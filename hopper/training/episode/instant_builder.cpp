@@ -68,9 +68,8 @@ InstantBuilder::InstantBuilder(const ReadyTask& ready, WholeBody& body, const Co
 void InstantBuilder::begin_on_the_way(double time_s, double turned_rad) {
   at_.time_s = time_s;
   at_.turned_rad = turned_rad;
-  const PhaseTimes& phase = ready_.task.phase;
-  at_.flights = time_s >= phase.landing_s ? 1 : 0;
-  air_s_ = at_.flights == 0 ? std::max(0.0, time_s - phase.take_off_s) : 0.0;
+  // Behind the landing too: the first touch counts the flight.
+  air_s_ = std::max(0.0, time_s - ready_.task.phase.take_off_s);
   began_ = base_attitude(ready_.robot.tree, ready_.start_position);
 }
 

@@ -188,6 +188,25 @@ TEST(MidMotion, EpisodesBeginThereAsOftenAsSaid) {
   EXPECT_NEAR(whole, kEpisodes / 2, 5.0 * std::sqrt(0.25 * kEpisodes));
 }
 
+// Oracle: the motion, which is in the air from 0.641 to 1.134 s: who begins in there, however late,
+// comes down from one flight, and who begins behind it has flown.
+TEST(MidMotion, AFlightCountsWhereverAnEpisodeBegins) {
+  const Flip& of = flip();
+  ReadyTask ready = of.ready;
+  set_course(of.states, ready.skill);
+  for (const std::size_t control : {70U, 108U, 120U}) {
+    EpisodeOptions episodes;
+    episodes.engine = &engine_named("own");
+    episodes.mid_states = std::make_shared<const std::vector<MidState>>(1, of.states.at(control));
+    episodes.mid_share = 1.0;
+    HopperEnvironment environment(ready, episodes);
+    environment.begin(1, 0);
+    learning::Outcome outcome;
+    while (!outcome.ended && !outcome.cut) outcome = environment.act(Eigen::Vector2d::Zero());
+    EXPECT_EQ(environment.take_ended().at(0).flights, 1) << control;
+  }
+}
+
 TEST(MidMotion, RefusesWhatDoesNotFly) {
   try {
     flight_of(flip().ready, flip().read("hopper_squat"));
