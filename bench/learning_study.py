@@ -6,6 +6,9 @@ in build/study_learning.
 
     bench/learning_study.py build/release/src/torquewright [--robot hopper_16.json --reserve 0.08]
                             [--seeds 5] [--iterations 120] [--keep]
+                            [--randomise specs/randomisation/hopper.json]
+
+With --randomise episodes differ by that, share after share, and policies are judged under it too.
 """
 import argparse
 import csv
@@ -51,9 +54,10 @@ def trained(options, seed, limits):
     policy, curve, spent = (FOLDER / f"{name}{end}" for end in (".json", ".csv", ".cpu_s"))
     if not (options.keep and spent.exists()):
         before_s = cpu_s()
+        varied = ["--randomise", options.randomise, "--curriculum"] if options.randomise else []
         run(options.program, "hopper", "train", options.robot, "--task", options.task, "--limits",
             limits, "--reference", planned(options), "--seed", seed, "--iterations",
-            options.iterations, "--seconds", 1e6, "-o", policy, "--curve", curve)
+            options.iterations, "--seconds", 1e6, "-o", policy, "--curve", curve, *varied)
         spent.write_text(str(cpu_s() - before_s))
     with curve.open() as rows:
         return {"seed": seed, "limits": limits, "policy": policy, "curve": curve,
@@ -71,12 +75,12 @@ def learned_at(training, share):
     return "not"
 
 
-def judged(options, training, limits, engine):
+def judged(options, training, limits, engine, randomisation=None):
     start = FOLDER / "start.json"
     start.write_text(json.dumps(START))
     report = json.loads(run(options.program, "hopper", "replay", options.robot, training["policy"],
                             "--limits", limits, "--engine", engine, "--trials", options.trials,
-                            "--randomise", start, "--json"))
+                            "--randomise", randomisation or start, "--json"))
     down = report.get("touch_down")
     short = DEGREES * down["rotation_short_rad"] if down else None
     turns = [deed["done"] for deed in report.get("deeds", []) if deed["deed"] == "rotation"]
@@ -89,17 +93,25 @@ def whole(value):
 
 
 def tables(options, trainings):
-    lines = ["| trained in | seed | half of the runs do it after | nine of ten after | own, MOR | own, box | MuJoCo, MOR | "
-             "MuJoCo, box | short at touch-down | turned in all |", "|" + "---|" * 10]
+    columns = ["trained in", "seed", "half of the runs do it after", "nine of ten after",
+               "own, MOR", "own, box", "MuJoCo, MOR", "MuJoCo, box", "short at touch-down",
+               "turned in all"]
+    if options.randomise:
+        columns += [f"{engine}, MOR, randomised" for engine in ENGINES]
+    lines = [f"| {' | '.join(columns)} |", "|" + "---|" * len(columns)]
     for training in trainings:
         cells = [judged(options, training, limits, engine) for engine in ENGINES
                  for limits in LIMITS]
         at_home = cells[LIMITS.index(training["limits"])]
-        lines.append("| {} | {} | {} | {} | {} | {} | {} |".format(
-            training["limits"], training["seed"], learned_at(training, 0.5),
-            learned_at(training, 0.9),
-            " | ".join(f"{cell['done']} of {options.trials}" for cell in cells),
-            whole(at_home["short"]), whole(at_home["turned"])))
+        row = [training["limits"], training["seed"], learned_at(training, 0.5),
+               learned_at(training, 0.9),
+               *[f"{cell['done']} of {options.trials}" for cell in cells],
+               whole(at_home["short"]), whole(at_home["turned"])]
+        if options.randomise:
+            row += [f"{cell['done']} of {options.trials}" for cell in
+                    (judged(options, training, "mor", engine, options.randomise)
+                     for engine in ENGINES)]
+        lines.append(f"| {' | '.join(map(str, row))} |")
     return lines
 
 
@@ -130,6 +142,7 @@ def main():
     parser.add_argument("--seeds", type=int, default=5)
     parser.add_argument("--iterations", type=int, default=120)
     parser.add_argument("--trials", type=int, default=100)
+    parser.add_argument("--randomise")
     parser.add_argument("--keep", action="store_true")
     options = parser.parse_args()
     FOLDER.mkdir(parents=True, exist_ok=True)
