@@ -17,8 +17,25 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr Index kOfBase = 6;   // velocity, height, turn, time
-constexpr Index kOfTrial = 2;  // voltage, friction
+constexpr Index kOfBase = 9;   // velocity, height, turn, time, rate
+constexpr Index kOfTrial = 4;  // voltage, temperature, friction, restitution
+constexpr Index kOfBody = 5;   // factors of mass and inertia, shift of the centre of mass
+constexpr Index kOfDrive = 3;  // factors of gain and strength, friction
+
+/// Writes numbers one behind the other.
+class Row {
+ public:
+  explicit Row(Eigen::Ref<VectorXd> out) : out_(out) {}
+  void put(double value) { out_[at_++] = value; }
+  template <typename Values>
+  void put_all(const Eigen::DenseBase<Values>& values) {
+    for (const auto value : values.reshaped()) put(static_cast<double>(value));
+  }
+
+ private:
+  Eigen::Ref<VectorXd> out_;
+  Index at_ = 0;
+};
 
 VectorXd ratios_of(const Robot& robot) {
   std::vector<double> ratios;
@@ -166,19 +183,32 @@ void InstantBuilder::set_foot(const dynamics::TreeState& state, double ground_m)
 }
 
 Index InstantBuilder::privileged_count(const Robot& robot) {
-  return kOfBase + kOfTrial + static_cast<Index>(robot.contacts.size());
+  const auto bodies = static_cast<Index>(robot.tree.bodies.size());
+  return kOfBase + 2 * (bodies - 1) + static_cast<Index>(robot.contacts.size()) + kOfTrial +
+         kOfBody * bodies + kOfDrive * ratios_of(robot).size();
 }
 
 void InstantBuilder::write_privileged(Eigen::Ref<VectorXd> out, const Trial& trial) const {
-  out.head<3>() = at_.base_velocity_m_s;
-  out[3] = at_.base_height_m;
-  out[4] = at_.turned_rad;
-  out[5] = at_.time_s;
-  out[6] = trial.bus_voltage_factor;
-  out[7] = trial.friction_coefficient.value_or(ready_.robot.contacts.front().friction_coefficient);
-  for (Index point = 0; point < at_.touches.size(); ++point) {
-    out[kOfBase + kOfTrial + point] = at_.touches[point] ? 1.0 : 0.0;
-  }
+  const ContactPoint& contact = ready_.robot.contacts.front();
+  Row row(out);
+  row.put_all(at_.base_velocity_m_s);
+  row.put(at_.base_height_m);
+  row.put(at_.turned_rad);
+  row.put(at_.time_s);
+  row.put_all(at_.base_rate_rad_s);
+  row.put_all(at_.joint_rad);
+  row.put_all(at_.joint_rad_s);
+  row.put_all(at_.touches);
+  row.put(trial.bus_voltage_factor);
+  row.put(trial.winding_temperature_K.value_or(0.0));
+  row.put(trial.friction_coefficient.value_or(contact.friction_coefficient));
+  row.put(trial.restitution.value_or(contact.restitution));
+  row.put_all(trial.mass_factor);
+  row.put_all(trial.inertia_factor);
+  row.put_all(trial.center_of_mass_shift_m);
+  row.put_all(trial.controller_gain_factor);
+  row.put_all(trial.motor_strength_factor);
+  row.put_all(trial.further_friction_Nm);
 }
 
 }  // namespace torquewright::hopper

@@ -23,9 +23,8 @@ class InstantBuilder {
   /// Ends the control step at that time after the begin.
   const RewardInstant& finish(double time_s, bool fell, WholeBody& body, double ground_m);
 
-  /// What a critic sees beside the policy's inputs: velocity and height of the base, how far it has
-  /// turned and for how long the episode goes on, what touches, and what the trial drew of voltage
-  /// and friction.
+  /// What a critic sees beside the policy's inputs: base, joints and contacts as they are, how far
+  /// the base has turned and for how long the episode goes on, and what the trial drew.
   static Eigen::Index privileged_count(const Robot& robot);
   void write_privileged(Eigen::Ref<Eigen::VectorXd> out, const Trial& trial) const;
 

@@ -12,6 +12,7 @@
 #include "hopper/training/task/task_spec.hpp"
 #include "hopper/trials/counted_random.hpp"
 #include "hopper/trials/randomisation_spec.hpp"
+#include "hopper/trials/trial.hpp"
 #include "io/faults/spec_error.hpp"
 #include "robot/model/robot_spec.hpp"
 
@@ -122,6 +123,29 @@ TEST(HopperEnvironment, DrawsTheSameTrialsAsAReplay) {
   episodes.randomisation.bus_voltage_factor.reset();
   expect_equal_runs(ready_for("hopper_flip"), episodes, 1);
   expect_equal_runs(ready_for("hopper_flip"), episodes, 2);
+}
+
+// Oracle: the draw of the trial itself, and the engine's own state; a policy sees neither.
+TEST(HopperEnvironment, ShowsTheCriticWhatTheTrialDrewAndNoNoise) {
+  const ReadyTask& ready = ready_for("hopper_flip");
+  EpisodeOptions episodes = plain_episodes();
+  episodes.randomisation =
+      read_randomisation(TORQUEWRIGHT_SOURCE_DIR "/specs/randomisation/hopper.json").randomisation;
+  HopperEnvironment environment(ready, episodes);
+  environment.begin(3, 9);
+  const learning::Sizes sizes = HopperEnvironment::sizes(ready);
+  Eigen::VectorXd actor(sizes.actor_inputs), critic(sizes.critic_inputs);
+  environment.act(Eigen::Vector2d::Zero());
+  environment.observe(actor, critic);
+  const Trial trial = draw_trial(episodes.randomisation, ready.robot, 3, 9);
+  EXPECT_EQ(critic.tail(3), trial.further_friction_Nm);
+  const Eigen::Index bodies = trial.center_of_mass_shift_m.cols();
+  EXPECT_EQ(critic.tail(9 + 3 * bodies).head(3 * bodies), trial.center_of_mass_shift_m.reshaped());
+  EXPECT_GT(trial.center_of_mass_shift_m.cwiseAbs().maxCoeff(), 1e-3);
+  const Eigen::VectorXd privileged = critic.tail(sizes.critic_inputs - sizes.actor_inputs);
+  const auto joints = static_cast<Eigen::Index>(ready.robot.tree.bodies.size()) - 1;
+  EXPECT_EQ(privileged.segment(9, joints), environment.position().tail(joints));
+  EXPECT_EQ(privileged.segment(9 + joints, joints), environment.velocity().tail(joints));
 }
 
 TEST(HopperEnvironment, BeginsAnEpisodeAlikeWhateverWasBefore) {
