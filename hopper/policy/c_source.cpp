@@ -122,6 +122,9 @@ std::string meaning_text(const PolicyDocument& document) {
     text +=
         comment_line(fmt::format("observation[{}]: {}{} [{}]", i, input.name, late, input.unit));
   }
+  if (document.filters_sensors) {
+    text += comment_line("positions and gravity: a filter's estimates (docs/randomisation.md)");
+  }
   for (std::size_t i = 0; i < document.outputs.size(); ++i) {
     const PolicyOutput& output = document.outputs[i];
     text += comment_line(fmt::format("target[{}]: {} [{}]", i, output.name, output.unit));

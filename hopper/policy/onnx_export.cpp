@@ -100,6 +100,7 @@ void add_metadata(const PolicyDocument& document, OnnxGraph& graph) {
                                 fmt::format("{}", fmt::join(output.course, ",")));
   }
   if (!document.limits.empty()) graph.metadata.emplace_back("limits", document.limits);
+  if (document.filters_sensors) graph.metadata.emplace_back("sensors", "filtered");
 }
 
 }  // namespace

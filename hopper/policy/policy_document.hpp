@@ -53,8 +53,10 @@ struct PolicyDocument {
   std::string limits;  ///< What held its drives in training: mor, box; empty: not stated.
   std::vector<TrainedWith> trained_with;
   std::string training_task;  ///< The task as a JSON document (training_task); empty: not stated.
-  std::string file;           ///< As it was named, where it was read from a file.
-  std::string sha256;         ///< Of that file's bytes.
+  /// Whether it sees positions and attitude behind the sensors' filter, as that task says.
+  bool filters_sensors = false;
+  std::string file;    ///< As it was named, where it was read from a file.
+  std::string sha256;  ///< Of that file's bytes.
 };
 
 /// The unit that a quantity's name ends in ("knee_rate_rad_s": rad/s); "1" where it ends in none.

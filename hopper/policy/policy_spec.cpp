@@ -30,7 +30,10 @@ class PolicyReader {
     }
     read.gains = gains();
     read_trained_with(read);
-    if (root().contains("training_task")) read.training_task = root()["training_task"].dump();
+    if (root().contains("training_task")) {
+      read.training_task = root()["training_task"].dump();
+      read.filters_sensors = root()["training_task"].value("filters_sensors", json()) == true;
+    }
     read.file = document_.file;
     read.sha256 = document_.sha256;
     if (faults_.empty()) object(objection_to(read), "");

@@ -15,6 +15,7 @@
 #include "hopper/training/episode/reward_sum.hpp"
 #include "hopper/training/task/task_ends.hpp"
 #include "hopper/trials/counted_random.hpp"
+#include "hopper/trials/sensor_filter.hpp"
 #include "hopper/trials/sensor_noise.hpp"
 #include "hopper/trials/trial.hpp"
 #include "hopper/trials/trial_start.hpp"
@@ -68,6 +69,9 @@ class HopperEnvironment::Work {
     trial_ = draw_trial(options_->randomisation, ready_.robot, seed, episode);
     key_ = mixed_in(mixed_in(seed, episode), "episode");
     noise_.emplace(options_->randomisation.noise, ready_.robot.tree, seed, episode);
+    if (ready_.task.filters_sensors) {
+      filter_.emplace(options_->randomisation.noise, ready_.robot.tree);
+    }
     prepare();
     const MidState start = drawn_start();
     is_over_ = !moved_->start(start.position, start.velocity);
@@ -184,6 +188,7 @@ class HopperEnvironment::Work {
     seen.position = moved_->engine().position();
     seen.velocity = moved_->engine().velocity();
     noise_->disturb(look_number_++, seen.position, seen.velocity);
+    if (filter_) filter_->estimate(seen.time_s, seen.position, seen.velocity);
     looks_.push_back({step_, std::move(seen)});
   }
 
@@ -271,6 +276,7 @@ class HopperEnvironment::Work {
   std::optional<InstantBuilder> builder_;
   Trial trial_;
   std::optional<SensorNoise> noise_;
+  std::optional<SensorFilter> filter_;
   std::uint64_t key_ = 0;
   std::deque<std::pair<long, Observation>> looks_;
   std::uint64_t look_number_ = 0;

@@ -235,7 +235,7 @@ ReplayOptions replay_options_of(const ReadyTask& ready, const EpisodeOptions& ep
   options.run.step_s = ready.task.step_s;
   options.run.steps_per_control = 1;
   options.verdict.standing.at_rest_s = 0.3;
-  options.filters_noise = false;
+  options.filters_noise = ready.task.filters_sensors;
   return options;
 }
 
@@ -269,6 +269,7 @@ PolicyDocument document_of(const ReadyTask& ready, DriveLimits limits,
   PolicyDocument document;
   document.task = ready.task.name;
   document.training_task = ready.task.text;
+  document.filters_sensors = ready.task.filters_sensors;
   document.policy = policy;
   document.inputs = ready.skill.inputs;
   document.outputs = ready.skill.outputs;

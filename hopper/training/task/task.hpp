@@ -56,6 +56,7 @@ struct Task {
   double control_period_s = 0.01;
   double step_s = 0.002;  ///< Of the engine while it trains; the PD law acts in every step.
   double duration_s = 2.0;
+  bool filters_sensors = false;  ///< Whether SensorFilter stands between sensors and policy.
   PhaseTimes phase;
   std::vector<int> history_steps;  ///< Control periods ago of which joints are seen.
   std::string posture = "stand";   ///< Of the start, by the robot's name for it.

@@ -35,6 +35,7 @@ class TaskReader {
     task_.control_period_s = root().value("control_period_s", task_.control_period_s);
     task_.step_s = root().value("step_s", task_.step_s);
     task_.duration_s = root()["duration_s"];
+    task_.filters_sensors = root().value("filters_sensors", task_.filters_sensors);
     task_.scale_rad = root().value("scale_rad", task_.scale_rad);
     task_.full_torque_error_rad =
         root().value("full_torque_error_rad", task_.full_torque_error_rad);

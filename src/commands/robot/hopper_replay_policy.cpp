@@ -62,12 +62,12 @@ hopper::PolicyUse use_of(const HopperReplayRequest& request, const hopper::ReadR
 }
 
 hopper::ReplayOptions policy_options(const HopperReplayRequest& request,
-                                     const HopperCheckInputs& inputs) {
+                                     const HopperCheckInputs& inputs, const hopper::Task& task) {
   hopper::ReplayOptions options = replay_options(request, inputs);
   options.controller = &hopper::policy_kind;
   // What a foot that lands at the end of a task has time for.
   options.verdict.standing.at_rest_s = std::min(0.3, options.verdict.standing.at_rest_s);
-  options.filters_noise = false;  // it has learned with what sensors say
+  options.filters_noise = task.filters_sensors;  // as it has learned
   return options;
 }
 
@@ -103,7 +103,7 @@ ExitCode run_policy_replay(const HopperReplayRequest& asked) {
       ready.robot,
       {hopper::reference_of_ends(ready), goal,
        hopper::policy_controller(ready.robot, ready.skill, document.policy, command)},
-      policy_options(request, inputs));
+      policy_options(request, inputs, task));
   std::optional<hopper::ReplayTrials> trials;
   if (randomised) {
     trials = run_replay_trials(replay, randomised->randomisation, request,

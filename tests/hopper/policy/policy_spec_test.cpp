@@ -7,6 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "hopper/policy/c_source.hpp"
+#include "hopper/policy/onnx_export.hpp"
 #include "io/documents/published_schema.hpp"
 #include "io/faults/spec_error.hpp"
 #include "tests/hopper/policy/sample_policies.hpp"
@@ -50,11 +52,25 @@ TEST(PolicySpec, ReadsWhatItWroteToTheBit) {
     EXPECT_EQ(read.inputs[3].delay_steps, 1);
     EXPECT_EQ(read.outputs[1].scale, 0.7);
     EXPECT_TRUE(read.outputs[0].course.empty());
+    EXPECT_FALSE(read.filters_sensors);
     EXPECT_EQ(read.outputs[1].course, (std::vector<double>{0.25, -0.1, 1e-3}));
     EXPECT_EQ(read.gains[1].drive, "knee");
     EXPECT_EQ(read.gains[1].damping_Nm_s_rad, 5.0);
     EXPECT_EQ(read.trained_with[0].sha256, std::string(64, 'a'));
   }
+}
+
+// Who deploys a policy has to know that a filter stands before it.
+TEST(PolicySpec, SaysWhetherItSeesWhatAFilterLeaves) {
+  PolicyDocument document = test::sample_policies()[0];
+  document.training_task = R"({"filters_sensors": true})";
+  const PolicyDocument read = read_back(policy_text(document));
+  EXPECT_TRUE(read.filters_sensors);
+  EXPECT_NE(c_source_of(read, {}).find("a filter's estimates"), std::string::npos);
+  EXPECT_EQ(onnx_graph_of(read).metadata.back(),
+            std::make_pair(std::string("sensors"), std::string("filtered")));
+  document.training_task = R"({"filters_sensors": "yes"})";  // the replay refuses it
+  EXPECT_FALSE(read_back(policy_text(document)).filters_sensors);
 }
 
 TEST(PolicySpec, TheDocumentToStartFromIsWhatOneComputesByHand) {

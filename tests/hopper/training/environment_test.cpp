@@ -123,6 +123,9 @@ TEST(HopperEnvironment, DrawsTheSameTrialsAsAReplay) {
   episodes.randomisation.bus_voltage_factor.reset();
   expect_equal_runs(ready_for("hopper_flip"), episodes, 1);
   expect_equal_runs(ready_for("hopper_flip"), episodes, 2);
+  ReadyTask filtered = ready_for("hopper_flip");
+  filtered.task.filters_sensors = true;
+  expect_equal_runs(filtered, episodes, 1);
 }
 
 // Oracle: the draw of the trial itself, and the engine's own state; a policy sees neither.
