@@ -39,23 +39,40 @@ Points negated(Points points) {
   return points;
 }
 
-/// A drive is the same both ways round.
-EnvelopeCurve curve_of(const Quadrants& quadrants) {
-  EnvelopeCurve curve;
-  curve.greatest = mirrored(quadrants.braking);
+/// The greatest torque over all speeds.
+Points bound_of(const Quadrants& quadrants) {
+  Points bound = mirrored(quadrants.braking);
   for (const EnvelopePoint& point : quadrants.driving) {
-    const bool stands_already = !curve.greatest.empty() && curve.greatest.back() == point;
-    if (!stands_already) curve.greatest.push_back(point);
+    const bool stands_already = !bound.empty() && bound.back() == point;
+    if (!stands_already) bound.push_back(point);
   }
-  curve.least = negated(mirrored(curve.greatest));
-  return curve;
+  return bound;
 }
 
-Points from_rest(const Points& points) {
-  Points result;
-  std::copy_if(points.begin(), points.end(), std::back_inserter(result),
-               [](const EnvelopePoint& point) { return point.speed_rad_s >= 0.0; });
-  return result;
+/// By what it does at torques above 0 and, turned round, below.
+EnvelopeCurve curve_of(const Quadrants& forward, const Quadrants& backward) {
+  return {bound_of(forward), negated(mirrored(bound_of(backward)))};
+}
+
+/// The bound's quadrants, as far as its points say them: with rest, and one point more.
+Quadrants quadrants_of(Points bound) {
+  const auto beyond = std::find_if(bound.begin(), bound.end(), [](const EnvelopePoint& point) {
+    return point.speed_rad_s >= 0.0;
+  });
+  if (beyond != bound.begin() && beyond != bound.end() && beyond->speed_rad_s > 0.0) {
+    const EnvelopePoint before = *(beyond - 1);
+    const double share = before.speed_rad_s / (before.speed_rad_s - beyond->speed_rad_s);
+    bound.insert(beyond, {0.0, std::lerp(before.torque_Nm, beyond->torque_Nm, share)});
+  }
+  Quadrants quadrants;
+  for (const EnvelopePoint& point : bound) {
+    if (point.speed_rad_s >= 0.0) quadrants.driving.push_back(point);
+    if (point.speed_rad_s <= 0.0) quadrants.braking.push_back(point);
+  }
+  quadrants.braking = mirrored(quadrants.braking);
+  if (quadrants.driving.size() < 2) quadrants.driving.clear();
+  if (quadrants.braking.size() < 2) quadrants.braking.clear();
+  return quadrants;
 }
 
 /// No torque is above it.
@@ -191,7 +208,7 @@ class EnvelopeReader {
       envelope.braking = Braking::kStated;
       quadrants.braking = braking_curve(*braking_Nm, quadrants.driving.back().speed_rad_s, corner);
     }
-    envelope.peak = curve_of(quadrants);
+    envelope.peak = curve_of(quadrants, quadrants);
   }
 
   bool check_numbers(double peak_Nm, double corner_Nm, std::optional<double> no_load,
@@ -299,6 +316,7 @@ class EnvelopeReader {
 
   /// Points of one sign of torque over one stretch of speeds; other quadrants by their mirrors.
   std::optional<EnvelopeCurve> curve_of_rows(const Rows& rows) {
+    const auto is_end = [](const EnvelopePoint& point) { return point.torque_Nm == 0.0; };
     Points greatest, least;
     for (std::size_t i = 0; i < rows.points.size(); ++i) {
       const EnvelopePoint& point = rows.points[i];
@@ -314,9 +332,17 @@ class EnvelopeReader {
       }
       bound.push_back(point);
     }
-    if (greatest.size() < 2) {
-      report("/points", fmt::format("{} of them have torque above 0; a bound needs two or more",
-                                    greatest.size()));
+    const bool ends_greatest = !least.empty() && !greatest.empty() &&
+                               std::all_of(least.begin(), least.end(), is_end) &&
+                               least.back().speed_rad_s < greatest.front().speed_rad_s;
+    if (ends_greatest) {
+      greatest.insert(greatest.begin(), least.begin(), least.end());
+      least.clear();
+    }
+    if (greatest.size() < 2 || least.size() == 1) {
+      report("/points", fmt::format("{} of them have torque {} 0; a bound needs two or more",
+                                    greatest.size() < 2 ? greatest.size() : least.size(),
+                                    greatest.size() < 2 ? "above" : "below"));
       return std::nullopt;
     }
     for (const Points* bound : {&greatest, &least}) {
@@ -331,16 +357,20 @@ class EnvelopeReader {
     return is_region(curve) ? std::optional(curve) : std::nullopt;
   }
 
-  /// With the quadrants that no point names.
-  static EnvelopeCurve completed(Points greatest, Points least) {
-    const bool has_braking = greatest.front().speed_rad_s < 0.0;
-    const bool has_least_driving = !least.empty() && least.front().speed_rad_s < 0.0;
-    Points braking = negated(from_rest(least));
-    if (braking.size() < 2) braking = from_rest(greatest);
-    EnvelopeCurve curve{greatest, negated(mirrored(greatest))};
-    if (!has_braking) curve = curve_of({std::move(greatest), std::move(braking)});
-    if (has_least_driving || (has_braking && !least.empty())) curve.least = std::move(least);
-    return curve;
+  /// With the quadrants that no point names: a drive is the same both ways round, and brakes as it
+  /// drives.
+  static EnvelopeCurve completed(Points greatest, const Points& least) {
+    Quadrants forward = quadrants_of(std::move(greatest));
+    Quadrants backward = quadrants_of(negated(mirrored(least)));
+    if (forward.driving.empty()) forward.driving = backward.driving;
+    if (backward.driving.empty()) backward.driving = forward.driving;
+    if (forward.braking.empty() && backward.braking.empty()) {
+      forward.braking = forward.driving;
+      backward.braking = backward.driving;
+    }
+    if (forward.braking.empty()) forward.braking = backward.braking;
+    if (backward.braking.empty()) backward.braking = forward.braking;
+    return curve_of(forward, backward);
   }
 
   bool is_region(const EnvelopeCurve& curve) {

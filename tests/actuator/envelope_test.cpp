@@ -104,6 +104,48 @@ TEST(Envelope, OfPointsHasTheQuadrantsThatTheyName) {
   EXPECT_NEAR(at(drive, -7.0).greatest.torque_Nm, 12.0 + 4.0 * 7.0 / 9.0, kRoundOff_Nm);
 }
 
+/// Bounds in closed form: straight from `rest_Nm` to 0 at that speed.
+double line_Nm(double rest_Nm, double end_rad_s, double speed_rad_s) {
+  return rest_Nm * std::max(0.0, 1.0 - speed_rad_s / end_rad_s);
+}
+
+// A sheet of both ways of driving, 10 Nm to 5 rad/s one way and 8 Nm to 4 rad/s the other: each
+// brakes as it drives.
+TEST(Envelope, OfPointsThatDriveBothWaysBrakesBothWays) {
+  const Actuator drive = actuator_of(
+      R"({"points": [{"speed_rad_s": -4, "torque_Nm": 0}, {"speed_rad_s": 0, "torque_Nm": -8},
+                     {"speed_rad_s": 0, "torque_Nm": 10}, {"speed_rad_s": 5, "torque_Nm": 0}]})");
+  for (const double speed : {-3.0, -1.0, 1.0, 3.0}) {
+    EXPECT_NEAR(at(drive, speed).greatest.torque_Nm, line_Nm(10.0, 5.0, std::abs(speed)),
+                kRoundOff_Nm);
+    EXPECT_NEAR(at(drive, speed).least.torque_Nm, -line_Nm(8.0, 4.0, std::abs(speed)),
+                kRoundOff_Nm);
+  }
+}
+
+// Speeds of one sign, driving 8 Nm to 4 rad/s and braking 6 Nm to 5 rad/s: the other is (1).
+TEST(Envelope, OfPointsMeasuredBackwardsIsTheSameForwards) {
+  const Actuator drive = actuator_of(
+      R"({"points": [{"speed_rad_s": -4, "torque_Nm": 0}, {"speed_rad_s": 0, "torque_Nm": -8},
+                     {"speed_rad_s": -5, "torque_Nm": 1}, {"speed_rad_s": 0, "torque_Nm": 6}]})");
+  for (const double speed : {-3.0, -1.0}) {
+    EXPECT_NEAR(at(drive, speed).least.torque_Nm, -line_Nm(8.0, 4.0, -speed), kRoundOff_Nm);
+    EXPECT_NEAR(at(drive, speed).greatest.torque_Nm, 6.0 + speed, kRoundOff_Nm);
+    EXPECT_EQ(at(drive, -speed).greatest.torque_Nm, -at(drive, speed).least.torque_Nm);
+    EXPECT_EQ(at(drive, -speed).least.torque_Nm, -at(drive, speed).greatest.torque_Nm);
+  }
+}
+
+// A bound that falls to 0 on both sides, 5 Nm at rest; it brakes up to 2 rad/s alone.
+TEST(Envelope, OfPointsMayEndInNoTorqueWhereItBrakes) {
+  const Actuator drive = actuator_of(
+      R"({"points": [{"speed_rad_s": -2, "torque_Nm": 0}, {"speed_rad_s": 0, "torque_Nm": 5},
+                     {"speed_rad_s": 10, "torque_Nm": 0}]})");
+  EXPECT_NEAR(at(drive, -1.0).greatest.torque_Nm, 2.5, kRoundOff_Nm);
+  EXPECT_NEAR(at(drive, -1.0).least.torque_Nm, -4.5, kRoundOff_Nm);
+  EXPECT_NEAR(at(drive, 1.0).least.torque_Nm, -2.5, kRoundOff_Nm);
+}
+
 TEST(Envelope, GoesWithTheVoltageWhereItStatesOne) {
   const Actuator drive =
       actuator_of(R"({"peak_torque_Nm": 20, "no_load_speed_rad_s": 10, "voltage_V": 48})");
@@ -215,6 +257,9 @@ TEST(Envelope, RefusesWhatIsNoCurve) {
        "/envelope/points/1: 0 rad/s after 0 rad/s: torque must be a function"},
       {R"({"points": [{"speed_rad_s": 1, "torque_Nm": 5}, {"speed_rad_s": 3, "torque_Nm": 4}]})",
        "/envelope/points: they say nothing of rest"},
+      {R"({"points": [{"speed_rad_s": 0, "torque_Nm": -5}, {"speed_rad_s": 0, "torque_Nm": 5},
+                     {"speed_rad_s": 3, "torque_Nm": 4}]})",
+       "/envelope/points: 1 of them have torque below 0; a bound needs two or more"},
       {R"({"points": [{"speed_rad_s": 0, "torque_Nm": 0}, {"speed_rad_s": 3, "torque_Nm": 4}]})",
        "/envelope/points: at rest torque goes from"},
       {R"({"points": [{"speed_rad_s": -4, "torque_Nm": 5}, {"speed_rad_s": 4, "torque_Nm": 5},
