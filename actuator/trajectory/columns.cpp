@@ -10,6 +10,7 @@
 #include "io/faults/spec_error.hpp"
 #include "io/text/nearest.hpp"
 #include "io/text/one_line.hpp"
+#include "io/text/unit_in_name.hpp"
 #include "io/text/units.hpp"
 #include "io/text/wording.hpp"
 
@@ -158,17 +159,9 @@ std::optional<ColumnMapping> canonical_mapping(const std::string& column) {
   return std::nullopt;
 }
 
-std::string_view foreign_unit(const std::string& column) {
-  struct Ending {
-    std::string_view text;
-    std::string_view unit;
-  };
-  constexpr Ending kEndings[] = {{"_deg_s", "deg/s"}, {"_deg", "deg"}, {"_rpm", "rpm"},
-                                 {"_ms", "ms"},       {"_us", "us"},   {"_mNm", "mNm"}};
-  for (const Ending& ending : kEndings) {
-    if (column.ends_with(ending.text)) return ending.unit;
-  }
-  return "";
+std::optional<io::Unit> foreign_unit(const std::string& column, io::Dimension dimension) {
+  const std::optional<io::Unit> unit = io::unit_in_name(column, dimension);
+  return unit && unit->in_SI != 1.0 ? unit : std::nullopt;
 }
 
 }  // namespace torquewright::actuator

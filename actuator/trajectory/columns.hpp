@@ -53,8 +53,8 @@ ColumnMapping read_mapping(const std::string& text);
 /// <joint>_velocity_rad_s, <joint>_torque_Nm. Empty for any other.
 std::optional<ColumnMapping> canonical_mapping(const std::string& column);
 
-/// Returns the unit that a column's name ends in, if it is another than the canonical headers':
-/// deg/s of knee_velocity_deg_s. Empty: none.
-std::string_view foreign_unit(const std::string& column);
+/// Returns the unit of a dimension that a column's name ends in, if it is not SI's: deg/s of
+/// knee_velocity_deg_s, mNm of "tau [mNm]". Empty: none.
+std::optional<io::Unit> foreign_unit(const std::string& column, io::Dimension dimension);
 
 }  // namespace torquewright::actuator

@@ -45,29 +45,32 @@ bool same_quantity(const ColumnMapping& one, const ColumnMapping& other) {
 /// quantity would be missing, and nobody would know.
 void refuse_foreign_units(const io::CsvReader& csv, const std::vector<ColumnMapping>& mappings,
                           const std::vector<std::string>& joints) {
-  const auto refuse = [&](const std::string& column, const std::string& target) {
-    const std::string_view unit = foreign_unit(column);
+  const auto refuse_if_foreign = [&](const std::string& column, Quantity quantity,
+                                     const std::string& joint) {
+    const std::optional<io::Unit> unit = foreign_unit(column, dimension_of(quantity));
+    if (!unit) return;
     io::refuse(csv.file(), fmt::format("the column \"{0}\" says {1}; state its unit, --column "
-                                       "{0}={2}:{1}",
-                                       column, unit, target));
+                                       "{0}={2}{3}:{1}",
+                                       column, unit->name, joint.empty() ? "" : joint + ".",
+                                       name_of(quantity)));
   };
   for (const ColumnMapping& mapping : mappings) {
-    if (mapping.has_unit || foreign_unit(mapping.column).empty()) continue;
-    const std::string quantity(name_of(mapping.quantity));
-    refuse(mapping.column, mapping.joint.empty() ? quantity : mapping.joint + "." + quantity);
+    if (!mapping.has_unit) refuse_if_foreign(mapping.column, mapping.quantity, mapping.joint);
   }
   for (const std::string& column : csv.header()) {
     const bool is_read = std::any_of(mappings.begin(), mappings.end(),
                                      [&](const auto& mapping) { return mapping.column == column; });
-    if (is_read || foreign_unit(column).empty()) continue;
+    if (is_read) continue;
     for (const std::string& joint : joints) {
       for (const Quantity quantity :
            {Quantity::kPosition, Quantity::kVelocity, Quantity::kTorque}) {
-        const bool is_its_own = column.starts_with(fmt::format("{}_{}_", joint, name_of(quantity)));
+        const std::string before_unit = fmt::format("{}_{}_", joint, name_of(quantity));
+        const bool is_its_own =
+            column.starts_with(before_unit) && io::find_unit(column.substr(before_unit.size()));
         const bool is_known = std::any_of(mappings.begin(), mappings.end(), [&](const auto& other) {
           return other.joint == joint && other.quantity == quantity;
         });
-        if (is_its_own && !is_known) refuse(column, fmt::format("{}.{}", joint, name_of(quantity)));
+        if (is_its_own && !is_known) refuse_if_foreign(column, quantity, joint);
       }
     }
   }

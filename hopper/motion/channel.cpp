@@ -146,7 +146,7 @@ ChannelMapping find_channel(const actuator::MappingText& parts, const std::strin
     quantities.push_back(channel.quantity);
     if (channel.quantity != parts.quantity) continue;
     const double unit = parts.unit.empty() ? 1.0 : unit_factor(text, parts.unit, channel);
-    return {parts.column, i, parts.factor * unit};
+    return {parts.column, i, parts.factor * unit, !parts.unit.empty() || parts.factor != 1.0};
   }
   if (quantities.empty()) {
     refuse_unknown(text, "joint, base coordinate or contact of this robot", parts.joint, owners);

@@ -44,6 +44,7 @@ struct ChannelMapping {
   std::string column;
   std::size_t channel = 0;
   double factor = 1.0;
+  bool has_unit = false;  ///< Its unit or factor was stated.
 };
 
 /// Finds the channel of a robot that a mapping (actuator::split_mapping()) names. Throws

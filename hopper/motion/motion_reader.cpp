@@ -35,6 +35,7 @@ struct Source {
   std::size_t column;
   std::size_t channel;
   double factor;
+  bool has_unit;  ///< Its unit or factor was stated.
 };
 
 class MotionReader {
@@ -94,8 +95,8 @@ class MotionReader {
                              mapping.column, channels_[mapping.channel].header));
     }
     const double factor = io::with_units_row(csv_, *column, channels_[mapping.channel].dimension,
-                                             mapping.factor, mapping.factor != 1.0);
-    sources_.push_back({*column, mapping.channel, factor});
+                                             mapping.factor, mapping.has_unit);
+    sources_.push_back({*column, mapping.channel, factor, mapping.has_unit});
   }
 
   void take_stated_columns() {
@@ -114,7 +115,7 @@ class MotionReader {
       for (std::size_t i = 0; i < channels_.size(); ++i) {
         if (channels_[i].header != header || source_of(i) || is_taken(column)) continue;
         const double factor = io::with_units_row(csv_, column, channels_[i].dimension, 1.0, false);
-        sources_.push_back({column, i, factor});
+        sources_.push_back({column, i, factor, false});
       }
     }
   }
@@ -122,29 +123,35 @@ class MotionReader {
   /// A column that is named like one of ours in another unit would be missing, and nobody would
   /// know; one that is mapped without its unit would count in the wrong one.
   void refuse_foreign_units() const {
+    for (const Source& source : sources_) {
+      if (!source.has_unit) refuse_if_foreign(source.column, channels_[source.channel]);
+    }
     for (std::size_t column = 0; column < csv_.header().size(); ++column) {
-      const std::string& header = csv_.header()[column];
-      const auto mapped = std::find_if(sources_.begin(), sources_.end(),
-                                       [column](const Source& it) { return it.column == column; });
       for (std::size_t i = 0; i < channels_.size(); ++i) {
         const Channel& channel = channels_[i];
-        const std::string before_unit = channel.owner.empty()
-                                            ? channel.quantity + "_"
-                                            : channel.owner + "_" + channel.quantity + "_";
-        if (channel.header == header || !header.starts_with(before_unit)) continue;
-        const auto unit = io::find_unit(header.substr(before_unit.size()));
-        if (!unit || unit->dimension != channel.dimension || unit->in_SI == 1.0) continue;
-        const bool is_missing = mapped == sources_.end() && source_of(i) == nullptr;
-        const bool is_bare =
-            mapped != sources_.end() && mapped->channel == i && mapped->factor == 1.0;
-        if (!is_missing && !is_bare) continue;
-        io::refuse(csv_.file(),
-                   fmt::format("the column \"{0}\" says {1}; state its unit, --column {0}={2}:{1}",
-                               header, unit->name,
-                               channel.owner.empty() ? channel.quantity
-                                                     : channel.owner + "." + channel.quantity));
+        const std::string before_unit = target_of(channel, "_") + "_";
+        const std::string& header = csv_.header()[column];
+        const bool is_its_own =
+            header.starts_with(before_unit) && io::find_unit(header.substr(before_unit.size()));
+        if (is_its_own && !is_taken(column) && source_of(i) == nullptr) {
+          refuse_if_foreign(column, channel);
+        }
       }
     }
+  }
+
+  static std::string target_of(const Channel& channel, std::string_view between) {
+    return channel.owner.empty() ? channel.quantity
+                                 : fmt::format("{}{}{}", channel.owner, between, channel.quantity);
+  }
+
+  void refuse_if_foreign(std::size_t column, const Channel& channel) const {
+    const std::string& header = csv_.header()[column];
+    const auto unit = actuator::foreign_unit(header, channel.dimension);
+    if (!unit) return;
+    io::refuse(csv_.file(),
+               fmt::format("the column \"{0}\" says {1}; state its unit, --column {0}={2}:{1}",
+                           header, unit->name, target_of(channel, ".")));
   }
 
   bool is_taken(std::size_t column) const {

@@ -17,6 +17,9 @@ std::optional<Unit> unit_in_name(std::string_view name, Dimension dimension) {
     const std::size_t opens = name.find_last_of("[(");
     return opens == name.npos ? std::nullopt : unit_of(name.substr(opens + 1), dimension);
   }
+  if (const std::size_t over = name.find(" / "); over != name.npos) {
+    return unit_of(name.substr(over + 3), dimension);
+  }
   for (std::size_t mark = name.find('_'); mark != name.npos; mark = name.find('_', mark + 1)) {
     if (const auto unit = unit_of(name.substr(mark + 1), dimension)) return unit;
   }

@@ -563,6 +563,12 @@ TEST_F(HopperCheck, RefusesColumnsInUnitsThatNobodyStated) {
   EXPECT_NE(check(crane(), both).exit_code, 2);
   const std::string foreign = with_column(swing(0.5), "elbow_torque_command", "0");
   EXPECT_NE(check(crane(), foreign).exit_code, 2);
+  // Whatever the column is called, and however its name says it.
+  for (const std::string name : {"tau_mNm", "tau [mNm]"}) {
+    const std::string motion = with_column(swing(0.5), name, "0");
+    expect_refusal(crane(), motion, "says mNm", {"--column", name + "=elbow.torque"});
+    EXPECT_NE(check(crane(), motion, {"--column", name + "=elbow.torque:Nm"}).exit_code, 2);
+  }
 }
 
 TEST_F(HopperCheck, RefusesTorquesOfSomeDrivenJointsAlone) {

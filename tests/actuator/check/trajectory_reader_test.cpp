@@ -67,6 +67,22 @@ TEST(TrajectoryReader, RefusesANameThatSaysAnotherUnit) {
   EXPECT_EQ(read(text, {"k_velocity_deg_s=k.velocity:rad/s"}, {"k"}).refusal, "");
 }
 
+// However it is written: a torque 1000 times too great fails every drive.
+TEST(TrajectoryReader, RefusesAForeignUnitInBracketsToo) {
+  for (const std::string name : {"tau [mNm]", "tau(N*mm)", "tau / mNm", "tau_mNm"}) {
+    const std::string text = "t,w," + name + "\n0,1,2000\n";
+    const std::vector<std::string> bare = {"w=k.velocity", name + "=k.torque"};
+    EXPECT_NE(read(text, bare, {"k"}).refusal.find("says mNm; state its unit"), std::string::npos)
+        << name;
+    const Read stated = read(text, {"w=k.velocity", name + "=k.torque:mNm"}, {"k"});
+    EXPECT_EQ(stated.rows.at(0).values.at(kTorqueAt), 2.0) << name;
+  }
+  const std::string in_SI = "time [s],w [rad/s],tau [Nm],load [mNm]\n0,1,2,3\n";
+  EXPECT_EQ(
+      read(in_SI, {"time [s]=time", "w [rad/s]=k.velocity", "tau [Nm]=k.torque"}, {"k"}).refusal,
+      "");
+}
+
 TEST(TrajectoryReader, WindowIncludesItsEnds) {
   const std::string text = "t,k_velocity_rad_s\n0,1\n0.1,2\n0.2,3\n0.3,4\n";
   const Read result = read(text, {}, {"k"}, {0.1, 0.2});
