@@ -5,8 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hopper/record/load_window.hpp"
+#include "hopper/replay/joint_findings.hpp"
 #include "io/text/time_text.hpp"
 #include "robot/model/moves_slide.hpp"
 #include "robot/model/whole_body.hpp"
@@ -165,6 +167,9 @@ void note_run(const Robot& robot, const Record& record, double load_window_s,
   for (const DriveReplay& drive : result.drives) {
     add_clipped(drive, result.findings);
     add_heat(drive, result.findings);
+  }
+  for (Finding& finding : joint_findings(robot, record)) {
+    result.findings.push_back(std::move(finding));
   }
   add_starved(record, result.findings);
   result.account = record.account;
