@@ -24,7 +24,8 @@ inline constexpr double kCelsius_K = 273.15;
 /// Reads CSV files whose column names tell what they hold; each file is a run of the file's name.
 /// Columns without a meaning are ignored with a note. Throws io::SpecError where there is no time
 /// or nothing else, where two columns mean the same, where a later file has other columns, and
-/// where a cell of a column with a meaning is no finite number.
+/// where a cell of a column with a meaning is no finite number; a column that has none at all, and
+/// rows of other topics (nothing but a time of what is read), are left out with a note.
 ImportedLog read_named_columns(
     const ImportRequest& request,
     const std::function<std::optional<Meaning>(const std::string& column)>& meaning_of);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -44,14 +46,49 @@ std::optional<JointColumn> joint_column(const std::string& column) {
   return JointColumn{joint, {quantity}};
 }
 
+/// Names of joints by their indices, where a file has them: field.name0, /joint_states/name[0].
+using NamesByIndex = std::map<std::string, std::string>;
+
+/// Throws io::SpecError where an index is another joint's in another row or file: each publisher of
+/// a topic has an order of its own.
+NamesByIndex names_by_index(const ImportRequest& request) {
+  static const std::regex kName(R"((?:.*[./])?name\[?(\d+)\]?)");
+  NamesByIndex names;
+  for (const std::filesystem::path& file : request.files) {
+    io::CsvReader csv(file, io::CsvReader::CutEnd::kDropped);
+    std::vector<std::pair<std::size_t, std::string>> columns;
+    for (std::size_t i = 0; i < csv.header().size(); ++i) {
+      std::smatch found;
+      if (std::regex_match(csv.header()[i], found, kName)) columns.emplace_back(i, found[1]);
+    }
+    while (!columns.empty() && csv.next()) {
+      for (const auto& [column, index] : columns) {
+        const std::string name(csv.text(column));
+        if (name.empty() || names.try_emplace(index, name).first->second == name) continue;
+        csv.refuse(column, fmt::format("\"{}\", before \"{}\": the joints' order changes", name,
+                                       names[index]));
+      }
+    }
+  }
+  return names;
+}
+
+/// The joint that is read, as columns call it.
 std::string only_joint(const ImportRequest& request) {
   const io::CsvReader csv(request.files.front());
+  const NamesByIndex names = names_by_index(request);
   std::set<std::string> joints;
+  std::string only;
   for (const std::string& column : csv.header()) {
-    if (const auto found = joint_column(column)) joints.insert(found->joint);
+    const auto found = joint_column(column);
+    if (!found) continue;
+    const auto name = names.find(found->joint);
+    joints.insert(name == names.end() ? found->joint : name->second);
+    const bool is_asked_for = name != names.end() && name->second == request.joint;
+    if (is_asked_for || found->joint == request.joint) return found->joint;
+    if (request.joint.empty()) only = found->joint;
   }
-  if (joints.contains(request.joint)) return request.joint;
-  if (request.joint.empty() && joints.size() == 1) return *joints.begin();
+  if (request.joint.empty() && joints.size() == 1) return only;
   throw io::SpecError(
       {{csv.file(), "",
         joints.empty()
@@ -92,7 +129,12 @@ ImportedLog read_ros(const ImportRequest& request) {
     return found && found->joint == joint ? std::optional(found->meaning) : std::nullopt;
   });
   count_from_first(log, request.files.front().string());
-  log.notes.emplace_back("effort is taken for the driver's own estimate of the output's torque");
+  const bool has_effort =
+      std::any_of(log.columns.begin(), log.columns.end(),
+                  [](const ColumnUse& use) { return use.quantity == Quantity::kReportedTorque; });
+  if (has_effort) {
+    log.notes.emplace_back("effort is taken for the driver's own estimate of the output's torque");
+  }
   return log;
 }
 

@@ -294,6 +294,34 @@ TEST(Import, ReadsRostopicsJointStates) {
   EXPECT_EQ(result.rig["columns"]["%time"], "time_s");
   EXPECT_NE(result.log.find("js,0.004000000,2,0.3"), std::string::npos) << result.log;
   EXPECT_EQ(result.rig["ignore"].size(), 4u);  // names, which are no numbers, are left out
+  const Imported named = imported_text("ros", "js.csv", text, {"--joint", "knee"});
+  EXPECT_EQ(named.rig["columns"], result.rig["columns"]);
+}
+
+// Two publishers of one topic: what stands first is another joint in every other row.
+TEST(Import, RefusesJointStatesWhoseOrderChanges) {
+  const std::string text =
+      "%time,field.name0,field.name1,field.position0,field.position1\n"
+      "1,hip,knee,0.1,0.2\n2,knee,hip,0.4,0.3\n";
+  expect_refused(imported_text("ros", "js.csv", text, {"--joint", "hip"}),
+                 "line 3, column 2 (field.name0): \"knee\", before \"hip\": the joints' order");
+}
+
+// PlotJuggler's tables have the rows of every topic; drivers without a sensor say nan.
+TEST(Import, LeavesOutWhatIsNotThere) {
+  const std::string header = "__time,/cmd/data,/js/knee/position,/js/knee/velocity,/js/knee/effort";
+  const std::string text = header + "\n0,,1,2,nan\n0.5,7,,,\n1,,2,3,nan\n";
+  const Imported result = imported_text("ros", "js.csv", text);
+  EXPECT_EQ(result.outcome.exit_code, 0) << result.outcome.err;
+  EXPECT_EQ(result.log, "run,__time,/js/knee/position,/js/knee/velocity\njs,0,1,2\njs,1,2,3\n");
+  EXPECT_NE(result.outcome.out.find("1 rows, in which nothing stands that is read"),
+            std::string::npos);
+  EXPECT_NE(result.outcome.out.find("numbers: /cmd/data, /js/knee/effort"), std::string::npos)
+      << result.outcome.out;
+  expect_refused(imported_text("ros", "js.csv", header + "\n0,,1,2,3\n1,,2,3,nan\n"),
+                 "line 3, column 5 (/js/knee/effort): \"nan\" is not a finite number");
+  expect_refused(imported_text("ros", "js.csv", header + "\n0,,x,2,3\n1,,x,3,4\n"),
+                 "line 2, column 3 (/js/knee/position): \"x\" is not a number");
 }
 
 TEST(Import, ReadsPlotJugglersJointStates) {
