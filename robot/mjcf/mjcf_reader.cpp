@@ -18,6 +18,7 @@
 #include "robot/mjcf/mjcf_connects.hpp"
 #include "robot/mjcf/mjcf_efforts.hpp"
 #include "robot/mjcf/mjcf_equality.hpp"
+#include "robot/mjcf/mjcf_flags.hpp"
 #include "robot/mjcf/mjcf_include.hpp"
 #include "robot/mjcf/mjcf_inertia.hpp"
 #include "robot/mjcf/mjcf_meshes.hpp"
@@ -63,8 +64,7 @@ class MjcfReader {
     const std::vector<Placed> bodies = bodies_of_world();
     const Placed* top = chosen(bodies);
     faults_.refuse();
-    Equalities equalities = read_equalities(root_, *top->element, defaults_, options_, faults_);
-    for (std::string& note : equalities.freed) imported_.notes.push_back(std::move(note));
+    const Equalities equalities = equalities_of(*top);
     has_loops_ = !equalities.connects.empty();
     if (has_loops_ && compiler_.is_global) {
       faults_.report(*equalities.connects.front(),
@@ -75,6 +75,7 @@ class MjcfReader {
     faults_.refuse();
     scale_mass(bodies);
     limit_efforts();
+    drop_disabled_forces();
     if (has_loops_) open_loops(equalities.connects);
     finish(draft_, options_, imported_, faults_);
     read_keyframes(root_, defaults_, imported_);
@@ -124,10 +125,29 @@ class MjcfReader {
       gravity_m_s2 = std::max(0.0, -gravity.z());
       for (const Element* flag : children(*option, "flag")) {
         vocabulary_.check(*flag);
-        has_gravity_ = has_gravity_ && attribute(*flag, "gravity") != "disable";
+        flags_.add(*flag);
       }
     }
-    if (!has_gravity_ || gravity_m_s2 == 0) gravity_m_s2 = 0;
+    if (flags_.disables({"gravity"}) || gravity_m_s2 == 0) gravity_m_s2 = 0;
+  }
+
+  Equalities equalities_of(const Placed& top) {
+    if (flags_.disables({"equality", "constraint"})) {
+      const bool has_some = !children(root_, "equality").empty();
+      if (has_some) imported_.notes.emplace_back("<flag> disables equalities: none is read");
+      return {};
+    }
+    Equalities equalities = read_equalities(root_, *top.element, defaults_, options_, faults_);
+    for (std::string& note : equalities.freed) imported_.notes.push_back(std::move(note));
+    return equalities;
+  }
+
+  void drop_disabled_forces() {
+    const std::vector<std::string> changed = flags_.drop_forces(draft_);
+    if (changed.empty()) return;
+    imported_.notes.push_back(
+        fmt::format("<flag> disables damping, springs or dry friction, which are left out of: {}",
+                    listed(changed)));
   }
 
   std::vector<Placed> bodies_of_world() {
@@ -440,7 +460,7 @@ class MjcfReader {
   std::set<std::string> made_up_;
   std::set<std::string> split_balls_;
   std::vector<std::pair<MjcfJoint, Placed>> balls_;  ///< Of a file with loops.
-  bool has_gravity_ = true;
+  MjcfFlags flags_;
   bool has_loops_ = false;
 };
 

@@ -44,9 +44,10 @@ std::span<const Words> mjcf_words() {
        "jacobian solver iterations ls_iterations noslip_iterations ccd_iterations mpr_iterations "
        "sdf_iterations sdf_initpoints actuatorgroupdisable"},
       {"option", kChildren, kRead, "flag"},
-      {"flag", kAttributes, kRead, "gravity"},
+      {"flag", kAttributes, kRead,
+       "gravity equality frictionloss constraint passive spring damper"},
       {"flag", kAttributes, kNeutral,
-       "constraint equality frictionloss limit contact passive spring damper clampctrl warmstart "
+       "limit contact clampctrl warmstart "
        "filterparent actuation refsafe sensor midphase eulerdamp autoreset nativeccd island "
        "override "
        "energy fwdinv invdiscrete multiccd sensornoise sleep diagexact"},

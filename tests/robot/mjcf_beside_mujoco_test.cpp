@@ -116,6 +116,20 @@ std::vector<Case> cases() {
       {"FreeJointOfAType",
        planar("pos=\"0 0 1\" euler=\"10 20 30\"", R"(<joint name="f" type="free"/>)")},
       {"NoGravity", arm("<option><flag gravity=\"disable\"/></option>", kHinge, fore)},
+      {"NoPassiveForces",
+       arm("<option><flag passive=\"disable\"/></option>", kHinge,
+           R"(<joint name="b" axis="0 0.6 0.8" stiffness="30" springref="15" damping="0.7"/>)" +
+               std::string(kPart)),
+       arm("", kHinge, R"(<joint name="b" axis="0 0.6 0.8"/>)" + std::string(kPart))},
+      {"NoSprings",
+       arm("<option><flag spring=\"disable\"/></option>", kHinge,
+           R"(<joint name="b" axis="0 0.6 0.8" stiffness="30" springref="15" damping="0.7"/>)" +
+               std::string(kPart)),
+       arm("", kHinge, R"(<joint name="b" axis="0 0.6 0.8" damping="0.7"/>)" + std::string(kPart))},
+      {"NoEqualities",
+       arm("<option><flag equality=\"disable\"/></option><equality><joint joint1=\"a\" "
+           "joint2=\"b\"/></equality>",
+           kHinge, fore)},
       {"EulerOfAnotherOrder",
        arm("<compiler eulerseq=\"zyx\"/>", kHinge, fore + turned("euler=\"10 20 30\""))},
       {"EulerAboutFixedAxes", arm("<compiler eulerseq=\"XZY\" angle=\"radian\"/>", kHinge,
@@ -187,6 +201,23 @@ TEST_P(Mjcf, IsReadAsMujocoReadsIt) {
   EXPECT_LE(far.matrix, kSame);
   EXPECT_LE(far.bias, kSame);
   EXPECT_LE(far.passive, kSame);
+}
+
+// Dry friction is a constraint there: no force at a state tells of it. Oracle: the words of its
+// reference.
+TEST(MjcfFlags, DisableDryFriction) {
+  const std::string joint = R"(<joint name="b" axis="1 0 0" frictionloss="0.4"/>)";
+  for (const std::string flag : {"frictionloss", "constraint"}) {
+    const std::string file =
+        arm("<option><flag " + flag + "=\"disable\"/></option>", kHinge, joint + kPart);
+    const test::ScratchFolder folder;
+    const Imported read = read_mjcf(folder.write("robot.xml", file), {});
+    EXPECT_EQ(read.robot.tree.bodies.back().joint.passive.dry_friction, 0.0);
+    const bool is_said = std::any_of(read.notes.begin(), read.notes.end(), [](const auto& note) {
+      return note.find("which are left out of: b") != std::string::npos;
+    });
+    EXPECT_TRUE(is_said) << flag;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Words, Mjcf, testing::ValuesIn(cases()),
