@@ -69,16 +69,19 @@ EnvelopeCurve with_speeds_scaled(EnvelopeCurve curve, double factor) {
 
 namespace {
 
-/// What brakes is of the other sign of speed.
-EnvelopeCurve fully_braking(const EnvelopeCurve& curve) {
-  const double most_Nm = greatest_torque_Nm(curve);
-  EnvelopeCurve result;
-  result.greatest = {{curve.greatest.front().speed_rad_s, most_Nm}, {0.0, most_Nm}};
-  for (const EnvelopePoint& point : curve.greatest) {
-    if (point.speed_rad_s >= 0.0) result.greatest.push_back(point);
+/// A bound of the greatest torque. What brakes is of the other sign of speed.
+Points fully_braking(const Points& greatest) {
+  double most_Nm = 0.0;
+  for (const EnvelopePoint& point : greatest) most_Nm = std::max(most_Nm, point.torque_Nm);
+  Points result{{greatest.front().speed_rad_s, most_Nm}, {0.0, most_Nm}};
+  for (const EnvelopePoint& point : greatest) {
+    if (point.speed_rad_s >= 0.0) result.push_back(point);
   }
-  result.least = reversed(result.greatest);
   return result;
+}
+
+EnvelopeCurve fully_braking(const EnvelopeCurve& curve) {
+  return {fully_braking(curve.greatest), reversed(fully_braking(reversed(curve.least)))};
 }
 
 }  // namespace

@@ -273,7 +273,7 @@ class EnvelopeReader {
     if (peak) {
       if (const auto curve = curve_of_rows(*peak)) envelope.peak = *curve;
       const auto brakes = [](const EnvelopePoint& point) {
-        return point.torque_Nm < 0.0 || point.speed_rad_s < 0.0;
+        return point.torque_Nm * point.speed_rad_s < 0.0;
       };
       const bool is_stated = std::any_of(peak->points.begin(), peak->points.end(), brakes);
       envelope.braking = is_stated ? Braking::kStated : Braking::kAsDriving;

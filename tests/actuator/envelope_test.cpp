@@ -121,6 +121,13 @@ TEST(Envelope, OfPointsThatDriveBothWaysBrakesBothWays) {
     EXPECT_NEAR(at(drive, speed).least.torque_Nm, -line_Nm(8.0, 4.0, std::abs(speed)),
                 kRoundOff_Nm);
   }
+  // As nothing is said of braking, simulators may brake with all there is, either way its own.
+  ASSERT_EQ(drive.envelope->braking, Braking::kAsDriving);
+  const EnvelopeCurve full = with_full_braking(*drive.envelope).peak;
+  EXPECT_NEAR(bounds_at(full, 3.0)->greatest_Nm, 4.0, kRoundOff_Nm);
+  EXPECT_NEAR(bounds_at(full, 3.0)->least_Nm, -8.0, kRoundOff_Nm);
+  EXPECT_NEAR(bounds_at(full, -3.0)->greatest_Nm, 10.0, kRoundOff_Nm);
+  EXPECT_NEAR(bounds_at(full, -3.0)->least_Nm, -2.0, kRoundOff_Nm);
 }
 
 // Speeds of one sign, driving 8 Nm to 4 rad/s and braking 6 Nm to 5 rad/s: the other is (1).
