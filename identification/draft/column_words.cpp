@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "io/text/letter_case.hpp"
 #include "io/text/unit_spelling.hpp"
 
 namespace torquewright::identification {
@@ -91,6 +92,11 @@ ColumnWords words_of(std::string_view column, std::string_view unit_below) {
     }
   }
   found.words = split(name);
+  const bool is_current = found.unit && found.unit->dimension == io::Dimension::kCurrent;
+  for (const std::string& word : found.words) {
+    const std::string small = io::in_small_letters(word);
+    if (is_current && (small == "rms" || small == "eff")) found.ampere = "rms";
+  }
   return found;
 }
 

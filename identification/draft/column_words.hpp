@@ -15,7 +15,7 @@ struct ColumnWords {
   std::vector<std::string> words;  ///< Without the unit, as they are written.
   std::optional<io::Unit> unit;    ///< The unit that the name ends with or holds in brackets.
   std::optional<io::Unit> other;   ///< One that the name has besides, and that contradicts it.
-  std::string ampere;              ///< "rms" or "peak", where the unit says whose ampere it is.
+  std::string ampere;              ///< "rms" or "peak", where unit or words say whose ampere it is.
 };
 
 /// Takes a column's name apart at everything that is no letter or digit, where a small letter is

@@ -11,6 +11,7 @@
 #include <map>
 #include <numbers>
 
+#include "identification/draft/column_words.hpp"
 #include "io/faults/spec_error.hpp"
 #include "tests/actuator/check/refusal.hpp"
 #include "tests/io/scratch_folder.hpp"
@@ -81,6 +82,8 @@ TEST(RigDraft, MarksWhatIsNotCertain) {
             std::string::npos);
   EXPECT_EQ(taken_for(draft, "Motor Current (Arms)"), "motor_current_A A");
   EXPECT_FALSE(guess_of(draft, "Motor Current (Arms)").is_sure);
+  EXPECT_EQ(words_of("Phase Current RMS [A]", "").ampere, "rms");
+  EXPECT_EQ(words_of("Speed RMS [rpm]", "").ampere, "");
   EXPECT_EQ(taken_for(draft, "FET_temp (degC)"), "");
   EXPECT_EQ(taken_for(draft, "enc_counts"), "");
 }
