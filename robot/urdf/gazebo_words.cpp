@@ -29,7 +29,9 @@ constexpr std::string_view kFriction =
     "is not read: the ground's friction is friction_coefficient of a contact";
 
 constexpr GazeboWord kWords[] = {
-    {"springStiffness", {"0", "0.0"}, kForce},
+    {"springStiffness",
+     {"0", "0.0"},
+     "is not read: stiffness_Nm_rad and spring_rest_rad of a joint hold a spring"},
     {"dampingFactor", {"0", "0.0"}, kForce},
     {"gravity", {"true", "1"}, "is not read: every body has its weight here"},
     {"turnGravityOff", {"false", "0"}, "is not read: every body has its weight here"},

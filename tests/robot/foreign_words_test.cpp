@@ -367,8 +367,9 @@ TEST(UrdfWords, OfGazeboAreSaidWithWhatTheyWouldChange) {
            "</gazebo><gazebo><static>true</static></gazebo>")
           .notes);
   for (const char* sentence :
-       {"<springStiffness> in <gazebo> is a force that a robot document does not hold, so that "
-        "drives are charged with it: j",
+       {"<springStiffness> in <gazebo> is not read: stiffness_Nm_rad and spring_rest_rad of a "
+        "joint "
+        "hold a spring: j",
         "<mu1> in <gazebo> is not read: the ground's friction is friction_coefficient of a "
         "contact: a",
         "<static> in <gazebo> is not read: a root that stands fixed is a link named \"world\": the "
