@@ -143,6 +143,9 @@ class MjcfReader {
   }
 
   void drop_disabled_forces() {
+    if (flags_.disables({"constraint"})) {
+      imported_.notes.emplace_back("<flag> disables constraints; ranges of joints are kept");
+    }
     const std::vector<std::string> changed = flags_.drop_forces(draft_);
     if (changed.empty()) return;
     imported_.notes.push_back(

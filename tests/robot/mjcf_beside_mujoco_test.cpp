@@ -3,6 +3,8 @@
 // text; where that is too old for a word, on the text that its documentation says is the same.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "robot/mjcf/mjcf_reader.hpp"
 #include "tests/io/scratch_folder.hpp"
 #include "tests/robot/mujoco_twin.hpp"
@@ -217,6 +219,9 @@ TEST(MjcfFlags, DisableDryFriction) {
       return note.find("which are left out of: b") != std::string::npos;
     });
     EXPECT_TRUE(is_said) << flag;
+    const auto keeps_ranges = std::count(read.notes.begin(), read.notes.end(),
+                                         "<flag> disables constraints; ranges of joints are kept");
+    EXPECT_EQ(keeps_ranges, flag == "constraint" ? 1 : 0);
   }
 }
 
