@@ -37,6 +37,21 @@ TEST(ReplayReportSchema, TakesWhatWasPromised) {
   }
 }
 
+TEST(ReplayReportSchema, TakesFindingsOfJoints) {
+  json report = promised();
+  for (const char* rule : {"joint-speed", "joint-torque"}) {
+    report["findings"] = {{{"severity", "violation"},
+                           {"rule", rule},
+                           {"joint", "knee"},
+                           {"time_s", 0.9},
+                           {"value", -31.3},
+                           {"limit", 20.0},
+                           {"unit", "Nm"},
+                           {"sentence", "knee: torque of -31.3 Nm"}}};
+    EXPECT_TRUE(conforms(report)) << rule;
+  }
+}
+
 TEST(ReplayReportSchema, MissesEachKey) {
   const json whole = promised();
   for (const auto& entry : whole.items()) {
