@@ -43,14 +43,14 @@ double ordinary_mass_kg(const InnerCase& inner) {
 }
 
 std::optional<InnerPoint> light_point(const InnerCase& inner, const InnerBox& box,
-                                      const std::array<double, 3>& start, int trials) {
+                                      const std::array<double, 3>& start, int trials, double step) {
   // The generator's bits, not the library's distributions: the same on every machine.
   std::mt19937 generator(1);
   const auto uniform = [&] { return static_cast<double>(generator()) * 0x1p-31 - 1.0; };
   std::array<double, 3> best = start;
   Standing standing = standing_at(inner, best);
-  double step = 0.3;
-  for (int trial = 0; trial < trials && step > 1e-9; ++trial) {
+  constexpr double kLeastStep = 1e-9;
+  for (int trial = 0; trial < trials && step > kLeastStep; ++trial) {
     std::array<double, 3> point = best;
     for (std::size_t i = 0; i < 3; ++i) {
       const Interval& range = box[i == 0 ? 0 : 1];

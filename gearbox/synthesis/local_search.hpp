@@ -17,9 +17,14 @@ struct InnerPoint {
 /// mesh.
 double ordinary_mass_kg(const InnerCase& inner);
 
+/// The first step of a search that knows nothing of its start, as a share of the box.
+inline constexpr double kFarStep = 0.3;
+
 /// A light design within a box, sought from a start by random steps of a fixed seed that grow and
-/// shrink with success; first for a design at all. It promises nothing: bounds do.
+/// shrink with success, the first of them a share `step` of the box; first for a design at all. It
+/// promises nothing: bounds do.
 std::optional<InnerPoint> light_point(const InnerCase& inner, const InnerBox& box,
-                                      const std::array<double, 3>& start, int trials);
+                                      const std::array<double, 3>& start, int trials,
+                                      double step = kFarStep);
 
 }  // namespace torquewright::gearbox

@@ -2,7 +2,9 @@
 #include "gearbox/synthesis/synthesis.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <queue>
 #include <set>
@@ -95,7 +97,7 @@ class Search {
     if (bound.is_empty) return;
     const double bound_kg = std::max(node.bound_kg, bound.mass_kg * (1.0 - 1e-9));
     if (bound_kg >= cutoff_kg()) return;
-    seek_design(node.choice, inner, bound);
+    seek_design(node.choice, inner, part, bound);
     if (bound_kg < cutoff_kg()) split(node.choice, part, bound_kg);
   }
 
@@ -202,26 +204,36 @@ class Search {
     for (std::size_t i = 0; i < choices_.size() && i < kMost; ++i) {
       const InnerCase inner = inner_case(problem_, modules_, choices_[i]);
       const auto whole = inner_box(problem_, inner);
-      if (whole) seek_from(i, inner, {(*whole)[0].middle(), 0.3, 0.3});
+      if (whole) seek_from(i, inner, {(*whole)[0].middle(), 0.3, 0.3}, kFarStep);
     }
   }
 
-  /// From the middle of a part: where it is better than what is known, and once for each choice.
-  void seek_design(std::size_t choice, const InnerCase& inner, const InnerBound& bound) {
+  /// From the middle of a part: where it is better than what is known, and at a choice's first,
+  /// second, fourth, eighth ... part. A bound's place lies on margins, or beyond by what rounding
+  /// may make of them, so that it is no design where the lightest one lies in a corner; from there
+  /// designs are sought no farther away than the part is wide.
+  void seek_design(std::size_t choice, const InnerCase& inner, const InnerNode& part,
+                   const InnerBound& bound) {
     const auto middle_kg = mass_at(inner, bound.middle);
     const bool is_better = middle_kg && *middle_kg < best_kg();
-    const bool is_first = !is_sought_[choice];
-    is_sought_[choice] = true;
-    if (is_first || is_better) seek_from(choice, inner, bound.middle);
+    const std::uint32_t count = ++parts_bounded_[choice];
+    if (count == 1 || is_better) seek_from(choice, inner, bound.middle, kFarStep);
+    if (count == 1 || !std::has_single_bit(count)) return;
+    const InnerBox whole = *inner_box(problem_, inner);
+    const double share = width_of(part.centre_mm) / width_of(whole[0]);
+    seek_from(choice, inner, bound.middle, std::clamp(share, 1e-8, kFarStep));
   }
 
-  void seek_from(std::size_t choice, const InnerCase& inner, const std::array<double, 3>& start) {
+  static double width_of(const Interval& range) { return range.upper - range.lower; }
+
+  void seek_from(std::size_t choice, const InnerCase& inner, const std::array<double, 3>& start,
+                 double step) {
     const InnerBox whole = *inner_box(problem_, inner);
     // Only what is near the best is worth more.
     std::optional<InnerPoint> found;
     std::array<double, 3> from = start;
     for (const auto& [trials, near] : {std::pair{60, 1.3}, {300, 1.03}, {2000, 1.0}}) {
-      found = light_point(inner, whole, from, trials);
+      found = light_point(inner, whole, from, trials, step);
       if (!found && trials > 60) return;
       if (!found) continue;
       if (found->mass_kg >= near * best_kg()) return;
@@ -263,7 +275,7 @@ class Search {
   std::priority_queue<Node, std::vector<Node>, HeavierLast> queue_;
   std::vector<InnerNode> parts_;
   std::vector<std::size_t> free_;
-  std::vector<bool> is_sought_ = std::vector<bool>(choices_.size());
+  std::vector<std::uint32_t> parts_bounded_ = std::vector<std::uint32_t>(choices_.size());
   double undecided_kg_ = kInfinity;
   SynthesisResult result_;
 };

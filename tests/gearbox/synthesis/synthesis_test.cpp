@@ -11,6 +11,7 @@
 #include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/topologies/topology.hpp"
 #include "tests/gearbox/synthesis/synthesis_example.hpp"
+#include "tests/oracles/loaded_three_k.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -111,6 +112,22 @@ TEST(Synthesis, HasAValidBoundWhereverItIsEnded) {
     EXPECT_GE(ended.bound_kg, before_kg);
     before_kg = ended.bound_kg;
   }
+}
+
+// The lightest lies in a sharp corner: the sun's shift at its least, the planet's tip at the end of
+// the sun's involute. Oracle: an enumeration with grids and descents that shares no formula.
+TEST(Synthesis, EndsWhereTheLightestLiesInACorner) {
+  nlohmann::json root = test::small_stage();
+  root["planet_count"] = 3;
+  root["min_teeth"] = {{"sun", 26}, {"planet", 38}};
+  SynthesisOptions options;
+  options.max_boxes = 1000;
+  const SynthesisResult found = synthesise(test::problem_from(root), options);
+  ASSERT_EQ(found.status, SynthesisStatus::kOptimal);
+  const auto other = oracles::enumerate_loaded_trains(root, 14);
+  ASSERT_TRUE(other.lightest);
+  EXPECT_LE(found.bound_kg, other.lightest->mass_kg * 1.0002);
+  EXPECT_LE(found.best->mass_kg, other.lightest->mass_kg * 1.0012);
 }
 
 // Oracle: the same problem with each topology stated.
