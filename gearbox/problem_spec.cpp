@@ -195,6 +195,7 @@ class Reader {
     request.greatest_face_width_over_module = find("/synthesis/max_face_width_over_module");
     request.greatest_face_width_over_diameter = find("/synthesis/max_face_width_over_diameter");
     problem_.floors.torque_borne_Nm = find("/synthesis/min_torque_borne_Nm");
+    problem_.floors.stiffness_Nm_rad = find("/synthesis/min_stiffness_Nm_rad");
     take("gap", request.gap);
     problem_.synthesis = request;
     check_synthesis(keys, request);

@@ -41,6 +41,8 @@ struct Floors {
   std::optional<io::Rational> backlash_rad_per_mm = {};
   /// Least, at the output for the load's cycles; where a synthesis makes the teeth as wide as that.
   std::optional<io::Rational> torque_borne_Nm = {};
+  /// Least, of the teeth at the output; where a synthesis makes the teeth as wide as that.
+  std::optional<io::Rational> stiffness_Nm_rad = {};
 };
 
 }  // namespace torquewright::gearbox

@@ -8,6 +8,7 @@
 
 #include "gearbox/sized_proof/enclosures/weighted_sum.hpp"
 #include "gearbox/sized_proof/layer_cell.hpp"
+#include "gearbox/sized_proof/soft_layers.hpp"
 #include "gearbox/train/central_gears.hpp"
 
 namespace torquewright::gearbox::sized {
@@ -111,7 +112,7 @@ class ChoiceProof {
 
   /// Of numbers, not of enclosures: it ends a proof, it makes none.
   bool is_lighter_design(const std::array<double, kPlaces>& point) const {
-    double kg = 0.0, mm = 0.0, kg_m2 = 0.0;
+    double kg = 0.0, mm = 0.0, kg_m2 = 0.0, soft = 0.0;
     std::array<double, 3> efficiency{1.0, 1.0, 1.0};
     for (std::size_t layer = 0; layer < (teeth_.has_second_layer() ? 2U : 1U); ++layer) {
       const auto terms = layer_terms(teeth_, layer, point[0], point[1 + layer], demands_);
@@ -127,11 +128,13 @@ class ChoiceProof {
       kg += width_mm * terms.kg_per_mm;
       if (demands_.inertia) kg_m2 += width_mm * terms.kg_m2_per_mm;
       mm += width_mm;
+      soft += terms.softness / width_mm;
       if (layer == 0) efficiency[0] = terms.efficiency[0];
       efficiency[1 + layer] = terms.efficiency[1];
     }
     const bool is_clear =
         !teeth_.is_sun_below || sun_clearance_mm(teeth_, point[1], point[2]) > 0.0;
+    if (teeth_.least_Nm_rad && soft * *teeth_.least_Nm_rad > 1.0) return false;
     return is_clear && kg < claim_.bound_kg && kg_m2 <= most_kg_m2_ &&
            (!claim_.axial_length_mm || mm <= *claim_.axial_length_mm) &&
            (!demands_.efficiency || is_efficient(efficiency, 0.0));
@@ -213,11 +216,29 @@ class ChoiceProof {
                           std::min(first.box[0].high, second.box[0].high)};
     if (!(centre_mm.low <= centre_mm.high)) return true;
     if (first.least_kg + second.least_kg >= claim_.bound_kg) return true;
+    if (is_too_soft(first, second)) return true;
     if (is_sun_in_the_way(first, second) || is_too_long(first, second) ||
         is_too_inert(first, second) || is_too_lossy(first, second)) {
       return true;
     }
     return is_outweighed(first, second, centre_mm);
+  }
+
+  /// Where faces that are stiff enough are too heavy, too long or too inert, or none are.
+  bool is_too_soft(const LayerCell& first, const LayerCell& second) const {
+    if (!teeth_.least_Nm_rad) return false;
+    const auto least = [&](double LayerCell::*share) {
+      const auto layer = [&](const LayerCell& cell, std::size_t which) {
+        return SoftLayer{cell.least_mm, teeth_.widest_mm[which] * (1.0 + kShare) + 1e-6,
+                         cell.least_softness, share == nullptr ? 1.0 : cell.*share};
+      };
+      return least_sum({layer(first, 0), layer(second, 1)}, *teeth_.least_Nm_rad * (1.0 - kShare));
+    };
+    return least(&LayerCell::least_kg_per_mm) >= claim_.bound_kg ||
+           (claim_.axial_length_mm &&
+            least(nullptr) > *claim_.axial_length_mm * (1.0 + kShare) + 1e-6) ||
+           (demands_.inertia &&
+            least(&LayerCell::least_kg_m2_per_mm) > most_kg_m2_ * (1.0 + kShare));
   }
 
   bool is_sun_in_the_way(const LayerCell& first, const LayerCell& second) const {

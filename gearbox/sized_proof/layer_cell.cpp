@@ -79,6 +79,7 @@ class Pass {
       const Affine& each = terms_.efficiency[i];
       if (!each.is_nowhere()) cell.efficiency[i] = std::min(1.0, left_.highest(each));
     }
+    set_shares(cell);
     set_box(cell.box);
     return true;
   }
@@ -105,6 +106,16 @@ class Pass {
 
  private:
   double forgiven_mm() const { return 1e-6 + kForgivenShare * teeth_.widest_mm[layer_]; }
+
+  void set_shares(LayerCell& cell) const {
+    if (!teeth_.least_Nm_rad) return;
+    const auto least = [&](const Affine& x) {
+      return is_known(x) ? std::max(0.0, left_.lowest(x)) : 0.0;
+    };
+    cell.least_kg_per_mm = least(terms_.kg_per_mm);
+    if (demands_.inertia) cell.least_kg_m2_per_mm = least(terms_.kg_m2_per_mm);
+    cell.least_softness = least(terms_.softness);
+  }
 
   bool keep_width(const Affine& width, LayerCell& cell) {
     if (teeth_.widest_mm[layer_] < kInfinity &&

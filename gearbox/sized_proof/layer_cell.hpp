@@ -29,6 +29,8 @@ struct PlacedForm {
 struct LayerCell {
   CellBox box;
   double least_kg = 0.0, least_mm = 0.0, least_kg_m2 = 0.0;
+  /// Of a millimetre of width, and how soft it is at least.
+  double least_kg_per_mm = 0.0, least_kg_m2_per_mm = 0.0, least_softness = 0.0;
   std::array<double, 2> efficiency{1.0, 1.0};  ///< At most.
   std::vector<PlacedForm> masses = {};         ///< No layer is lighter than any of them.
   std::vector<PlacedForm> conditions = {};     ///< No design where one is above 0.

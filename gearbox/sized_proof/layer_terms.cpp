@@ -211,8 +211,21 @@ class Terms {
   MeshLoad sun_load() const { return {teeth_.sun_force_N, module_mm_}; }
   MeshLoad ring_load() const { return {teeth_.ring_force_N[layer_], module_mm_}; }
 
+  void set_softness() {
+    if (!teeth_.least_Nm_rad) return;
+    T sum{0.0};
+    const auto add = [&](const GearMesh<T>& mesh, double softness) {
+      sum = sum + softness / (0.75 * mesh.contact_ratio + 0.25);
+    };
+    if (sun_) add(*sun_, teeth_.sun_softness);
+    if (ring_) add(*ring_, teeth_.ring_softness[layer_]);
+    terms_.softness = sum;
+    ask_width(*teeth_.least_Nm_rad * sum);
+  }
+
   void ask_flanks() {
     ask_width(T(teeth_.least_width_mm));
+    set_softness();
     if (ring_) ask_width(flank_mm(teeth_, *ring_, false, ring_load()));
     if (!sun_) return;
     ask_width(flank_mm(teeth_, *sun_, false, sun_load()));

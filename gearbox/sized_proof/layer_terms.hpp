@@ -29,6 +29,7 @@ struct LayerTerms {
   std::vector<T> width_mm;  ///< What asks something of the face width: the greatest is taken.
   T kg_per_mm;              ///< Mass of a millimetre of width.
   T kg_m2_per_mm;           ///< Inertia at the output, likewise.
+  T softness{0.0};          ///< Of the teeth at the output times the width, rad mm/Nm, if asked.
   /// Of the layer's meshes: that of the sun, if it is here, and that of the ring.
   std::array<T, 2> efficiency{T(1.0), T(1.0)};
   /// Surely no design, or only ones of no interest: the lists are not complete.

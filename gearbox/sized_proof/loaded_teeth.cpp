@@ -8,6 +8,7 @@
 #include "gearbox/constraints/gear_cutters.hpp"
 #include "gearbox/constraints/hob_reach.hpp"
 #include "gearbox/sized_proof/enclosures/affine.hpp"
+#include "gearbox/strength/mesh_stiffness.hpp"
 #include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/strength/steels.hpp"
 #include "gearbox/strength/strength.hpp"
@@ -54,6 +55,25 @@ void set_forces(double load_Nm, LoadedTeeth& teeth) {
     if (teeth.ring[layer] == 0.0) continue;
     const double torque_Nm = layer == teeth.held_layer ? load_Nm - sun_Nm : load_Nm;
     teeth.ring_force_N[layer] = force_N(torque_Nm, teeth.module_mm[layer], teeth.ring[layer]);
+  }
+}
+
+/// By energy: the load's work at the output, T^2/(2 k), is that of the normal forces of all planets
+/// along the line of action, n F^2/(2 c b) each.
+void set_softness(const Problem& problem, LoadedTeeth& teeth) {
+  teeth.least_Nm_rad = as_number(problem.floors.stiffness_Nm_rad);
+  if (!teeth.least_Nm_rad) return;
+  constexpr double kMetresPerMicrometre = 1e-6;
+  const double load_Nm = io::nearest(torque_to_bear_Nm(problem));
+  const double pair = kSingleStiffness_N_mm_um * find_steel(*problem.steel)->material.young_MPa /
+                      kStiffnessYoung_MPa;
+  const auto softness = [&](double force_N) {
+    const double normal = force_N / kReferenceCosine / load_Nm;
+    return kMetresPerMicrometre * teeth.planets * normal * normal / pair;
+  };
+  teeth.sun_softness = softness(teeth.sun_force_N);
+  for (const std::size_t layer : {0U, 1U}) {
+    teeth.ring_softness[layer] = softness(teeth.ring_force_N[layer]);
   }
 }
 
@@ -146,6 +166,7 @@ LoadedTeeth loaded_teeth(const Problem& problem, const WholeNumbers& whole) {
   set_speeds(parts, teeth);
   set_strength(problem, whole.planets, teeth);
   set_forces(io::nearest(torque_to_bear_Nm(problem)), teeth);
+  set_softness(problem, teeth);
   return teeth;
 }
 

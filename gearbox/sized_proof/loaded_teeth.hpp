@@ -55,6 +55,12 @@ struct LoadedTeeth {
   double sun_force_N = 0.0;
   std::array<double, 2> ring_force_N{};
 
+  /// Least stiffness of the teeth at the output, and of the same meshes: softness there times face
+  /// width and c_gamma/c', in rad mm/Nm.
+  std::optional<double> least_Nm_rad;
+  double sun_softness = 0.0;
+  std::array<double, 2> ring_softness{};
+
   double hob_depth = 1.25, shaper_depth = 1.25, undercut_depth = 1.0;  ///< In modules.
   std::optional<double> hob_radius, shaper_radius, shaper_teeth;
   double hollow_wall_mm = 0.0;

@@ -69,6 +69,14 @@ Demand torque_borne() {
           }};
 }
 
+Demand stiffness() {
+  return {"stiffness", "min_stiffness_Nm_rad",
+          [](Problem& each) { each.floors.stiffness_Nm_rad.reset(); },
+          [](const SizedDesign& sized) {
+            return fmt::format("its teeth have {:.4g} Nm/rad", sized.stiffness_Nm_rad);
+          }};
+}
+
 Demand load() {
   return {"load", "load",
           [](Problem& each) { each.load_output_torque_Nm = Rational(1, 1'000'000); },
@@ -85,6 +93,7 @@ std::vector<Demand> all_demands(const Problem& problem) {
                     [&](const SizedDesign& sized) { return what_it_has(floor, problem, sized); }});
   }
   if (problem.floors.torque_borne_Nm) list.push_back(torque_borne());
+  if (problem.floors.stiffness_Nm_rad) list.push_back(stiffness());
   return list;
 }
 

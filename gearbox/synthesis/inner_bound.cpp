@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "gearbox/synthesis/linear_bound.hpp"
+#include "gearbox/synthesis/stiff_widths.hpp"
 
 namespace torquewright::gearbox {
 namespace {
@@ -109,6 +110,7 @@ class CellBound {
       const double most = left_.upper(range_.efficiency[i]);
       cell_.efficiency[i] = most < 1.0 ? most : 1.0;
     }
+    bound_shares();
     cell_.box = left_.box();
     return true;
   }
@@ -144,6 +146,16 @@ class CellBound {
                          return std::isfinite(slope.lower) && std::isfinite(slope.upper);
                        }) &&
            std::isfinite(range.center.lower) && std::isfinite(range.center.upper);
+  }
+
+  void bound_shares() {
+    const auto least = [&](const Slope& range) {
+      const double low = left_.lower(range);
+      return low > 0.0 ? low : 0.0;
+    };
+    cell_.softness_rad_mm_Nm = least(range_.softness_rad_mm_Nm);
+    cell_.kg_per_mm = least(range_.mass_per_width_kg_mm);
+    cell_.kg_m2_per_mm = least(range_.inertia_per_width_kg_m2_mm);
   }
 
   bool bound_mass() {
@@ -246,12 +258,38 @@ class NodeBound {
       return false;
     }
     const auto& longest = inner_.max_axial_length_mm;
-    if (longest && first.width_mm + second.width_mm > *longest + 1e-6) return false;
+    const auto length = [](const LayerCell&) { return 1.0; };
+    if (longest && std::max(first.width_mm + second.width_mm, stiff_sum(first, second, length)) >
+                       *longest + 1e-6) {
+      return false;
+    }
     const auto& heaviest = inner_.max_gear_inertia_kg_m2;
-    if (heaviest && first.inertia_kg_m2 + second.inertia_kg_m2 > *heaviest * (1.0 + kMarginSlack)) {
+    const auto inertia = [](const LayerCell& cell) { return cell.kg_m2_per_mm; };
+    if (heaviest &&
+        std::max(first.inertia_kg_m2 + second.inertia_kg_m2, stiff_sum(first, second, inertia)) >
+            *heaviest * (1.0 + kMarginSlack)) {
       return false;
     }
     return is_efficient(first, second);
+  }
+
+  /// Of widths that are stiff enough together, the least sum by a share of a millimetre; 0 where
+  /// nothing is asked of them.
+  template <class Share>
+  double stiff_sum(const LayerCell& first, const LayerCell& second, Share share) const {
+    if (!inner_.most_softness_rad_Nm) return 0.0;
+    const auto layer = [&](const LayerCell& cell, std::size_t which) {
+      return LayerWidth{cell.width_mm, inner_.max_face_width_mm[which] + 1e-6,
+                        cell.softness_rad_mm_Nm, share(cell)};
+    };
+    const double sum = least_weight({layer(first, 0), layer(second, 1)},
+                                    *inner_.most_softness_rad_Nm * (1.0 + kMarginSlack));
+    return sum * (1.0 - kMarginSlack);
+  }
+
+  double pair_kg(const LayerCell& first, const LayerCell& second) const {
+    const auto mass = [](const LayerCell& cell) { return cell.kg_per_mm; };
+    return std::max(first.mass_kg + second.mass_kg, stiff_sum(first, second, mass));
   }
 
   bool is_efficient(const LayerCell& first, const LayerCell& second) const {
@@ -271,7 +309,7 @@ class NodeBound {
       const LayerCell& first = node_.cells[0][i];
       for (std::size_t j = 0; j < node_.cells[1].size(); ++j) {
         const LayerCell& second = node_.cells[1][j];
-        const double sum = first.mass_kg + second.mass_kg;
+        const double sum = pair_kg(first, second);
         if (sum >= least || !may_pair(first, second)) continue;
         least = sum;
         pair_ = {i, j};
@@ -323,9 +361,10 @@ class NodeBound {
       for (std::size_t j = 0; j < node_.cells[1].size(); ++j) {
         const LayerCell& first = node_.cells[0][i];
         const LayerCell& second = node_.cells[1][j];
-        if (first.mass_kg + second.mass_kg >= cutoff_kg_ || !may_pair(first, second)) continue;
+        const double apart_kg = pair_kg(first, second);
+        if (apart_kg >= cutoff_kg_ || !may_pair(first, second)) continue;
         const LinearBound bound = bound_pair(i, j);
-        const double mass_kg = std::max(bound.mass_kg, first.mass_kg + second.mass_kg);
+        const double mass_kg = std::max(bound.mass_kg, apart_kg);
         if (mass_kg >= cutoff_kg_) continue;
         is_kept[0][i] = is_kept[1][j] = true;
         if (mass_kg >= least_kg) continue;
@@ -383,19 +422,41 @@ class NodeBound {
   std::array<std::size_t, 2> pair_{};
 };
 
+/// How far from margins points are sought: what lies on one, as corners of the shifts' range do, is
+/// beyond it in `evaluate` where that rounds otherwise. Far less than kMarginSlack.
+constexpr double kOffMargin = 1e-11;
+
+/// Nothing: the widest are too soft.
+std::optional<std::array<double, 2>> chosen_widths_mm(const InnerCase& inner,
+                                                      const std::array<LayerWidth, 2>& layers) {
+  if (!inner.most_softness_rad_Nm) return std::array{layers[0].least_mm, layers[1].least_mm};
+  return stiff_widths_within_mm(layers, *inner.most_softness_rad_Nm,
+                                inner.max_axial_length_mm.value_or(kInfinity));
+}
+
 }  // namespace
 
 std::optional<double> mass_at(const InnerCase& inner, const std::array<double, 3>& point,
                               double* violation) {
   double below = 0.0, mass_kg = 0.0, length_mm = 0.0, inertia_kg_m2 = 0.0;
+  std::array<LayerValues<double>, 2> layers;
+  std::array<LayerWidth, 2> widths;
   const auto require = [&](double margin) {
     if (!(margin >= 0.0)) below += std::isfinite(margin) ? -margin : 10.0;
   };
   std::array<double, 4> efficiency{};
   for (const std::size_t layer : {0U, 1U}) {
-    const auto values = layer_values(inner, layer, point[0], point[layer + 1]);
-    for (const double margin : values.margins) require(margin);
-    const double width_mm = greatest(values.width_mm);
+    layers[layer] = layer_values(inner, layer, point[0], point[layer + 1]);
+    const LayerValues<double>& values = layers[layer];
+    for (const double margin : values.margins) require(margin - kOffMargin);
+    widths[layer] = {greatest(values.width_mm), inner.max_face_width_mm[layer],
+                     values.softness_rad_mm_Nm, values.mass_per_width_kg_mm};
+  }
+  const auto chosen_mm = chosen_widths_mm(inner, widths);
+  if (!chosen_mm) require(1.0 - least_softness(widths) / *inner.most_softness_rad_Nm - 1e-6);
+  for (const std::size_t layer : {0U, 1U}) {
+    const LayerValues<double>& values = layers[layer];
+    const double width_mm = chosen_mm ? (*chosen_mm)[layer] : widths[layer].least_mm;
     mass_kg += width_mm * values.mass_per_width_kg_mm;
     inertia_kg_m2 += width_mm * values.inertia_per_width_kg_m2_mm;
     length_mm += width_mm;
@@ -410,7 +471,9 @@ std::optional<double> mass_at(const InnerCase& inner, const std::array<double, 3
   };
   require_most(inner.max_mass_kg, mass_kg);
   require_most(inner.max_gear_inertia_kg_m2, inertia_kg_m2);
-  if (inner.sun_under_second_layer) require(sun_clearance_mm(inner, point[1], point[2]));
+  if (inner.sun_under_second_layer) {
+    require(sun_clearance_mm(inner, point[1], point[2]) - kOffMargin);
+  }
   const auto train = train_efficiencies(inner, efficiency[0], efficiency[1], efficiency[2]);
   if (inner.min_forward_efficiency) require(train[0] - *inner.min_forward_efficiency);
   if (inner.min_backward_efficiency) require(train[1] - *inner.min_backward_efficiency);

@@ -17,6 +17,8 @@ struct LayerCell {
   double width_mm = 0.0;       ///< Nor narrower.
   double inertia_kg_m2 = 0.0;  ///< Nor has less inertia at the output, where that is asked.
   std::array<double, 2> efficiency{1.0, 1.0};  ///< Nor loses less in its meshes.
+  /// Nor is less soft, weighs or turns less, a millimetre of its width, where stiffness is asked.
+  double softness_rad_mm_Nm = 0.0, kg_per_mm = 0.0, kg_m2_per_mm = 0.0;
 };
 
 /// A range of centre distances: designs lie only in pairs of its cells, one of each layer.
@@ -41,7 +43,7 @@ InnerBound bound_inner(const InnerCase& inner, double cutoff_kg, InnerNode& node
 /// The same in a hurry: no shifts are split, and the layers are bounded each by itself.
 InnerBound bound_roughly(const InnerCase& inner, double cutoff_kg, InnerNode& node);
 
-/// Mass at a point; nothing where a margin is below 0. `violation` says how far, in all.
+/// Mass at a point; nothing where a margin is not above 0. `violation` says how far, in all.
 std::optional<double> mass_at(const InnerCase& inner, const std::array<double, 3>& point,
                               double* violation = nullptr);
 

@@ -74,6 +74,10 @@ struct InnerCase {
   std::optional<double> max_mass_kg;
   std::optional<double> max_gear_inertia_kg_m2;  ///< At the output, without the rotor.
   double ratio = 1.0;                            ///< Sun over output.
+  std::optional<double> most_softness_rad_Nm;    ///< Of the teeth at the output.
+  /// Of the mesh with the sun, with the ring of each layer: softness times width with teeth of a
+  /// contact ratio of 1 (strength.md eq. (16)), in rad mm/Nm.
+  std::array<double, 3> mesh_softness{};
 
   /// Tangential force at the reference circle, of one planet's meshes with the sun and the ring of
   /// each layer, under the load: it does not depend on shifts.
@@ -98,6 +102,8 @@ struct LayerValues {
   T mass_per_width_kg_mm;
   /// Inertia at the output of a width, likewise; 0 over boxes where nothing is asked of it.
   T inertia_per_width_kg_m2_mm;
+  /// Turn of the output for its torque, times the width, in rad mm/Nm; 0 where none is asked.
+  T softness_rad_mm_Nm{0.0};
   /// Basic efficiencies of the layer's meshes, 1 without friction or mesh: of sun and ring, or of
   /// the ring and 1.
   std::array<T, 2> efficiency;

@@ -441,6 +441,21 @@ void add_root_width(Gathered<T>& gathered, const InnerCase& inner, const Mesh<T>
   }
 }
 
+/// strength.md eq. (16).
+template <class T>
+T mesh_softness(const InnerCase& inner, std::size_t which, const Mesh<T>& mesh) {
+  return inner.mesh_softness[which] / (0.75 * mesh.ratio + 0.25);
+}
+
+/// The layer is as wide as if it alone were soft, at least.
+template <class T>
+void add_stiffness(const InnerCase& inner, Gathered<T>& gathered, LayerValues<T>& result,
+                   const T& softness) {
+  if (!inner.most_softness_rad_Nm) return;
+  result.softness_rad_mm_Nm = softness;
+  gathered.add_width(softness / *inner.most_softness_rad_Nm);
+}
+
 /// One layer's planet in its ring.
 template <class T>
 struct RingLayer {
@@ -514,7 +529,7 @@ void add_dear_ring_margins(const InnerCase& inner, RingLayer<T>& layer, Gathered
   layer.shaper = shaper_of(inner, mesh);
   margins.add("root_form.shaper", layer.shaper.exists ? T(layer.shaper.largest_rounding -
                                                           inner.shaper_tip_radius.value_or(0.0))
-                                                      : T(0.0));
+                                                      : T(1.0));
 }
 
 template <class T>
@@ -678,6 +693,9 @@ LayerValues<T> first_layer(const InnerCase& inner, const T& centre_mm, const T& 
   if (ring) gathered.add_width(flank_width_mm(inner, ring->mesh, false, force[1], m1));
   gathered.add_width(flank_width_mm(inner, sun_mesh, false, force[0], m1));
   gathered.add_width(flank_width_mm(inner, sun_mesh, true, force[0], m1));
+  const T of_sun = mesh_softness(inner, 0, sun_mesh);
+  add_stiffness(inner, gathered, result,
+                ring ? T(of_sun + mesh_softness(inner, 1, ring->mesh)) : of_sun);
   if (gathered.is_over()) return result;
   const T hob_1 =
       assumed_radius<T>(inner.hob_tip_radius, kHobTipRadius,
@@ -732,6 +750,7 @@ LayerValues<T> second_layer(const InnerCase& inner, const T& centre_mm, const T&
   const double force_N = inner.reference_force_N[2];
   gathered.add_width(T(inner.min_face_width_mm));
   gathered.add_width(flank_width_mm(inner, ring.mesh, false, force_N, m2));
+  add_stiffness(inner, gathered, result, mesh_softness(inner, 2, ring.mesh));
   if (gathered.is_over()) return result;
   const T hob_2 = assumed_radius(inner.hob_tip_radius, kHobTipRadius, ring.hob_largest);
   add_root_width<T>(gathered, inner, ring.mesh, false, hob_2, force_N, m2, 1.0);

@@ -3,11 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "gearbox/constraints/condition.hpp"
+#include "gearbox/strength/mesh_stiffness.hpp"
 #include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/strength/tooth_load.hpp"
+#include "gearbox/synthesis/stiff_widths.hpp"
 #include "gearbox/teeth/profile_shift.hpp"
 #include "gearbox/teeth/tooth_geometry.hpp"
 #include "gearbox/topologies/topology.hpp"
@@ -99,6 +102,52 @@ ConstraintReport torque_borne(const SizedDesign& sized) {
   return judge(condition);
 }
 
+/// The floor of what the teeth give way.
+ConstraintReport stiffness(const SizedDesign& sized) {
+  DesignCondition condition{"stiffness", "/synthesis/min_stiffness_Nm_rad", "Nm/rad"};
+  condition.value = io::exact(sized.stiffness_Nm_rad);
+  condition.limit = *sized.problem.floors.stiffness_Nm_rad;
+  condition.meaning = "of torsional stiffness of the teeth at the output";
+  return judge(condition);
+}
+
+/// Mass of a millimetre of each layer: that of all gears is linear in the widths.
+std::array<double, 2> kg_per_mm(const SizedDesign& sized) {
+  const std::vector<std::string> layers = train_parts(sized.problem.topology).layer_names();
+  Problem of_widths = sized.problem;
+  const auto mass_kg = [&](int first_mm) {
+    for (const std::string& layer : layers) of_widths.face_width_mm[layer] = 1;
+    of_widths.face_width_mm[layers[0]] = first_mm;
+    const Topology& topology = *find_topology(of_widths.topology);
+    return topology.evaluate(of_widths, sized.design).mass_kg.value_or(0.0);
+  };
+  const double at_one_kg = mass_kg(1);
+  const double first = mass_kg(2) - at_one_kg;
+  return {first, layers.size() > 1 ? at_one_kg - first : 0.0};
+}
+
+/// What stiffness makes of the widths that the load asks for; where the widest are too soft, they
+/// stay.
+void widen_for_stiffness(const SizedDesign& sized, const StrengthCase& of_one_mm,
+                         std::array<double, 2>& needed_mm) {
+  const Floors& floors = sized.problem.floors;
+  if (!floors.stiffness_Nm_rad) return;
+  const std::vector<double> softness = layer_softness_rad_mm_Nm(of_one_mm);
+  const std::array<double, 2> share = kg_per_mm(sized);
+  const auto widest_mm = greatest_face_widths_mm(sized.problem, sized.design);
+  const double least_mm = io::nearest(sized.problem.synthesis->least_face_width_mm);
+  std::array<LayerWidth, 2> layers;
+  for (std::size_t i = 0; i < softness.size(); ++i) {
+    layers[i] = {std::max(needed_mm[i], least_mm), io::nearest(widest_mm[i]), softness[i],
+                 share[i]};
+  }
+  const auto& longest_mm = floors.axial_length_mm;
+  const auto stiff_mm = stiff_widths_within_mm(
+      layers, 1.0 / io::nearest(*floors.stiffness_Nm_rad),
+      longest_mm ? io::nearest(*longest_mm) : std::numeric_limits<double>::infinity());
+  if (stiff_mm) needed_mm = *stiff_mm;
+}
+
 void offer_all_modules(const LayerModules& modules, Problem& problem) {
   std::vector<Rational>& offered = problem.module_mm;
   offered.insert(offered.end(), modules.second_mm.begin(), modules.second_mm.end());
@@ -112,8 +161,9 @@ bool set_widths(SizedDesign& sized) {
   const auto of_one_mm = strength_of_design(sized.problem, sized.design);
   if (!of_one_mm) return false;
   const double load_Nm = io::nearest(torque_to_bear_Nm(sized.problem));
-  const auto needed =
+  auto needed =
       needed_widths_mm(*of_one_mm, sun_torque_Nm(of_one_mm->train, load_Nm, TorqueSide::kJoint));
+  widen_for_stiffness(sized, *of_one_mm, needed);
   for (std::size_t i = 0; i < layers.size(); ++i) {
     const Rational width_mm =
         std::max(rounded_up_mm(needed[i]), sized.problem.synthesis->least_face_width_mm);
@@ -123,6 +173,7 @@ bool set_widths(SizedDesign& sized) {
   const auto strength = strength_of_design(sized.problem, sized.design);
   if (!strength) return false;
   sized.borne = torque_limits(*strength).for_cycles;
+  sized.stiffness_Nm_rad = torsional_stiffness_Nm_rad(*strength);
   return true;
 }
 
@@ -139,6 +190,7 @@ SizedDesign sized_design(const Problem& problem, const Design& shifted) {
   }
   sized.report = find_topology(problem.topology)->evaluate(sized.problem, sized.design);
   if (problem.floors.torque_borne_Nm) sized.report.constraints.push_back(torque_borne(sized));
+  if (problem.floors.stiffness_Nm_rad) sized.report.constraints.push_back(stiffness(sized));
   sized.mass_kg = sized.report.mass_kg.value_or(0.0);
   for (const ConstraintReport& constraint : sized.report.constraints) {
     if (constraint.satisfied) continue;

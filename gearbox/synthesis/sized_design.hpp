@@ -10,8 +10,8 @@
 
 namespace torquewright::gearbox {
 
-/// A design with shifts and the face widths that its load asks for, judged by what `evaluate` and
-/// `strength` say of it.
+/// A design with shifts and the face widths that its load and stiffness ask for, judged by what
+/// `evaluate` and `strength` say of it.
 struct SizedDesign {
   Design design;
   Problem problem;  ///< The problem with these face widths and all modules.
@@ -19,6 +19,7 @@ struct SizedDesign {
   DesignReport report;
   TorqueLimit borne;  ///< For the cycles of the load.
   double mass_kg = 0.0;
+  double stiffness_Nm_rad = 0.0;  ///< Of the teeth at the output.
   std::string objection;  ///< Name of the first thing that it violates; empty: it is a design.
 };
 

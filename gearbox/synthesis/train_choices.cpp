@@ -9,6 +9,7 @@
 #include "gearbox/constraints/hob_reach.hpp"
 #include "gearbox/constraints/spacing.hpp"
 #include "gearbox/constraints/tooth_conditions.hpp"
+#include "gearbox/strength/mesh_stiffness.hpp"
 #include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/strength/steels.hpp"
 #include "gearbox/strength/strength.hpp"
@@ -238,6 +239,26 @@ void set_forces(const Problem& problem, InnerCase& inner) {
   inner.reference_force_N = {force(sun_Nmm, 0, z[0]), of_ring(0), of_ring(1)};
 }
 
+void set_stiffness(const Problem& problem, const TrainParts& parts, const GearMaterial& steel,
+                   const std::vector<double>& teeth, InnerCase& inner) {
+  const auto& least_Nm_rad = problem.floors.stiffness_Nm_rad;
+  if (!least_Nm_rad) return;
+  inner.most_softness_rad_Nm = 1.0 / io::nearest(*least_Nm_rad);
+  std::vector<double> base_mm;
+  for (std::size_t gear = 0; gear < teeth.size(); ++gear) {
+    base_mm.push_back(0.5 * kReferenceCosine * inner.module_mm[parts.gear_layers[gear]] *
+                      teeth[gear]);
+  }
+  const std::vector<double> turns = mesh_backlash_rad_per_m(parts, teeth, base_mm);
+  const double pair =
+      mesh_stiffness_N_mm_um(1.0) * steel.young_MPa / kStiffnessYoung_MPa * inner.planets;
+  for (std::size_t i = 0; i < turns.size(); ++i) {
+    const std::size_t gear = parts.meshes[i].gear_2;
+    inner.mesh_softness[parts.is_ring(gear) ? 1 + parts.gear_layers[gear] : 0] =
+        square(turns[i]) / pair;
+  }
+}
+
 /// Which rings there are, and how all turn.
 void set_motion(const TrainParts& parts, const std::vector<double>& teeth, InnerCase& inner) {
   inner.has_first_ring = parts.ring_of_layer(0).has_value();
@@ -349,6 +370,8 @@ InnerCase inner_case(const Problem& problem, const LayerModules& modules,
   set_bounds(problem, design.module_mm, inner);
   set_strength(problem, inner);
   set_forces(problem, inner);
+  set_stiffness(problem, parts, find_steel(*problem.steel)->material,
+                gear_teeth<double>(parts, choice), inner);
   if (const auto most = number(problem.floors.reflected_inertia_kg_m2)) {
     inner.max_gear_inertia_kg_m2 =
         *most - square(inner.ratio) * io::nearest(problem.rotor_inertia_kg_m2);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "gearbox/strength/mesh_stiffness.hpp"
 #include "gearbox/strength/problem_strength.hpp"
 #include "gearbox/strength/torque_limit.hpp"
 #include "gearbox/topologies/topology.hpp"
@@ -153,9 +154,20 @@ class DesignCheck {
     const auto strength = strength_of_design(sized_, design_);
     if (!strength) return add("", "has stresses that cannot be computed");
     const double borne_Nm = torque_limits(*strength).for_cycles.joint_Nm;
+    check_stiffness(*strength);
     if (borne_Nm < load_Nm) {
       add("", fmt::format("bears {:.6g} Nm at the output, where {:.6g} Nm are asked for", borne_Nm,
                           load_Nm));
+    }
+  }
+
+  void check_stiffness(const StrengthCase& strength) {
+    const auto& least_Nm_rad = problem_.floors.stiffness_Nm_rad;
+    if (!least_Nm_rad) return;
+    const double stiffness_Nm_rad = torsional_stiffness_Nm_rad(strength);
+    if (stiffness_Nm_rad < io::nearest(*least_Nm_rad)) {
+      add("", fmt::format("has {:.6g} Nm/rad at the output, where {:.6g} are asked for",
+                          stiffness_Nm_rad, io::nearest(*least_Nm_rad)));
     }
   }
 

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "gearbox/strength/mesh_stiffness.hpp"
 #include "gearbox/strength/ring_section.hpp"
 
 namespace torquewright::report {
@@ -66,6 +67,7 @@ ordered_json gears_json(const StrengthReport& report, const StrengthCase& streng
   }
   gears["face_width_mm"] = strength.train.face_width_mm;
   gears["ratio"] = gearbox::reduction(strength.train);
+  gears["stiffness_Nm_rad"] = gearbox::torsional_stiffness_Nm_rad(strength);
   gears["loadings"] = ordered_json::array();
   for (const double torque_Nm : report.torques_Nm) {
     gears["loadings"].push_back(

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "gearbox/strength/mesh_stiffness.hpp"
 #include "gearbox/strength/ring_section.hpp"
 
 namespace torquewright::report {
@@ -110,6 +111,13 @@ std::string limits_text(const StrengthCase& strength) {
          limit_line(fmt::format("{:.6g} loads", strength.cycles), strength, limits.for_cycles);
 }
 
+std::string stiffness_line(const StrengthCase& strength) {
+  return fmt::format(
+      "\nTorsional stiffness of the teeth at the output, sun held: {:.4g} Nm/rad (a pair has {:g} "
+      "N/(mm um); bearings, carrier, shafts and rims are left out)\n",
+      gearbox::torsional_stiffness_Nm_rad(strength), gearbox::kSingleStiffness_N_mm_um);
+}
+
 /// The sun in its mesh, and the least of all gears beside the demand.
 std::string variant_row(const StrengthReport& report, const StrengthCase& variant,
                         double torque_Nm) {
@@ -176,7 +184,7 @@ std::string strength_text(const StrengthReport& report) {
       strength.cycles);
   text += cutter_line(strength) + rim_line(strength);
   for (const double torque_Nm : report.torques_Nm) text += torque_text(report, torque_Nm);
-  return text + limits_text(strength) + variants_text(report);
+  return text + limits_text(strength) + stiffness_line(strength) + variants_text(report);
 }
 
 }  // namespace torquewright::report

@@ -130,6 +130,27 @@ TEST(Synthesis, EndsWhereTheLightestLiesInACorner) {
   EXPECT_LE(found.best->mass_kg, other.lightest->mass_kg * 1.0012);
 }
 
+// The lightest lies where three limits meet: both planets' shifts at their greatest, the sun's tip
+// just clear of planet 2. Oracle: as above.
+TEST(Synthesis, EndsWhereTheLightestLiesOnLimitsOfItsShifts) {
+  nlohmann::json root = test::small_synthesis();
+  root["target_ratio"] = 30;
+  root["rotor_inner_diameter_mm"] = 71.6;
+  root["module_mm"] = 0.4;
+  root["planet_count"] = 3;
+  root["min_teeth"] = {{"sun", 80}, {"planet_1", 32}, {"planet_2", 28}};
+  root["load"] = {{"output_torque_Nm", 50}, {"cycles", 10000}};
+  root["synthesis"]["max_profile_shift"] = 0.3;
+  SynthesisOptions options;
+  options.max_boxes = 2000;
+  const SynthesisResult found = synthesise(test::problem_from(root), options);
+  ASSERT_EQ(found.status, SynthesisStatus::kOptimal);
+  const auto other = oracles::enumerate_loaded_trains(root, 14);
+  ASSERT_TRUE(other.lightest);
+  EXPECT_LE(found.bound_kg, other.lightest->mass_kg * 1.0002);
+  EXPECT_LE(found.best->mass_kg, other.lightest->mass_kg * 1.0012);
+}
+
 // Oracle: the same problem with each topology stated.
 TEST(Synthesis, OfAnOpenTopologyIsTheLightestOfEachAndProvesAll) {
   const nlohmann::json open = test::small_open_problem();
