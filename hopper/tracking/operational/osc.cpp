@@ -46,6 +46,7 @@ class OperationalController final : public Controller {
     clock_.start();
     program_.start();
     residuals_.assign(tasks_->tasks.size(), {});
+    slow_rates_.resize(0);
     looks_ = unsolved_ = 0;
   }
 
@@ -63,6 +64,7 @@ class OperationalController final : public Controller {
     VectorXd speed_rad_s(torque_Nm.size());
     frame_.body().speed_changes(frame_.velocity(), speed_rad_s);
     ranges_->at(speed_rad_s, seen.bus_V, seen.winding_K, bounds_.least_Nm, bounds_.greatest_Nm);
+    follow_springs(seen.time_s);
     frame_.rows(tasks_->tasks, rows_);
     handle_impacts(reading);
     const VectorXd wanted = rows_.acceleration +
@@ -101,6 +103,20 @@ class OperationalController final : public Controller {
     return turns && !is_slide ? "rad/s^2" : "m/s^2";
   }
 
+  /// Rates of rigid springs that are slow enough are fed back, eq. (10).
+  void follow_springs(double time_s) {
+    if (tasks_->rigid_rate_time_s <= 0.0) return;
+    const VectorXd rates = frame_.springs() * frame_.velocity();
+    if (slow_rates_.size() == 0) {
+      slow_rates_ = rates;
+    } else {
+      const double past = (time_s - followed_s_) / tasks_->rigid_rate_time_s;
+      slow_rates_ += (1.0 - std::exp(-past)) * (rates - slow_rates_);
+    }
+    followed_s_ = time_s;
+    frame_.let_springs_turn(slow_rates_);
+  }
+
   /// What of the tasks' errors of rates an impulse of the coming contact may change is blended out,
   /// over all active tasks at once.
   void handle_impacts(const ClockReading& reading) {
@@ -115,7 +131,7 @@ class OperationalController final : public Controller {
                      landing_points(robot_, reference_, *mode, impact_.whole_foot));
     handle_impact(impact_, from_impact_s,
                   impact_map(frame_.mass(), landing.jacobian, rows_.jacobian, frame_.springs(),
-                             frame_.rigid_velocity()),
+                             VectorXd::Zero(frame_.velocity().size())),
                   rows_.rate_error);
   }
 
@@ -149,6 +165,8 @@ class OperationalController final : public Controller {
   TaskRows rows_;
   TorqueBounds bounds_;
   VectorXd fed_forward_Nm_;
+  VectorXd slow_rates_;      ///< (springs x 1) of rigid springs; empty before the first look,
+  double followed_s_ = 0.0;  ///< and when they were.
   std::vector<Residuals> residuals_;
   long looks_ = 0, unsolved_ = 0;
 };

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hopper/tracking/operational/task_rows.hpp"
 
-#include <Eigen/QR>
-#include <utility>
-
 #include "dynamics/point.hpp"
 #include "dynamics/position_step.hpp"
 #include "hopper/tracking/error_space.hpp"
@@ -17,27 +14,9 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// Of a row's length, what is left of one that others make up: of two points of one foot.
-constexpr double kSameRow = 1e-9;
-
-std::vector<Index> rows_without_drive(const Robot& robot) {
-  std::vector<bool> is_driven(robot.tree.bodies.size(), false);
-  for (const Drivetrain& drivetrain : robot.drivetrains) {
-    for (const std::size_t joint : drivetrain.joints) is_driven[joint] = true;
-  }
-  std::vector<Index> rows;
-  for (std::size_t body = 1; body < is_driven.size(); ++body) {
-    if (is_driven[body]) continue;
-    rows.push_back(robot.tree.base_velocity_size() + static_cast<Index>(body) - 1);
-  }
-  return rows;
-}
-
-VectorXd least_move(const MatrixXd& rows, const VectorXd& wanted) {
-  Eigen::CompleteOrthogonalDecomposition<MatrixXd> parts;
-  parts.setThreshold(kSameRow);
-  return parts.compute(rows).solve(wanted);
-}
+/// Springs stand as the motion has them to so much, in rad or m, or after so many steps of Newton.
+constexpr double kStraight = 1e-9;
+constexpr int kMostSteps = 4;
 
 /// World's axes of a base's translation, in the order of its velocities.
 std::vector<Index> ways_of(const dynamics::Tree& tree) {
@@ -58,12 +37,8 @@ Vector3d mean_place_m(const Robot& robot, const dynamics::TreeState& state,
 
 }  // namespace
 
-TaskFrame::TaskFrame(const Robot& robot, std::vector<RigidJoint> rigid)
-    : robot_(robot),
-      rigid_(std::move(rigid)),
-      undriven_(rows_without_drive(robot)),
-      actual_(robot),
-      wanted_(robot) {
+TaskFrame::TaskFrame(const Robot& robot, const std::vector<RigidJoint>& rigid)
+    : robot_(robot), rigid_(robot, rigid), actual_(robot), wanted_(robot) {
   const Index n = robot.tree.velocity_size();
   mass_.resize(n, n);
   bias_force_.resize(n);
@@ -82,6 +57,7 @@ bool TaskFrame::set(const ReferenceInstant& wanted, const TouchingPoints& touche
   wanted_center_ = wanted_.centroid();
   wanted_.inverse_dynamics(wanted.acceleration, wanted_force_);
   if (!actual_.set(position_, velocity_)) return false;
+  if (!straighten_springs()) return false;
   place_feet();
   if (!actual_.set(position_, velocity_)) return false;
   actual_center_ = actual_.centroid();
@@ -89,33 +65,30 @@ bool TaskFrame::set(const ReferenceInstant& wanted, const TouchingPoints& touche
   actual_.inverse_dynamics(VectorXd::Zero(velocity_.size()), bias_force_);
   dynamics::position_difference(robot_.tree, position_, wanted.position, difference_);
   contacts_ = contact_rows(robot_, actual_.state(), touches_);
-  hold_springs();
-  take_springs_out();
+  springs_ = rigid_.rates(actual_);
+  let_springs_turn(VectorXd::Zero(rigid_.size()));
   return true;
 }
 
-void TaskFrame::hold_springs() {
-  springs_.setZero(static_cast<Index>(rigid_.size()), velocity_.size());
-  for (Index i = 0; i < springs_.rows(); ++i) {
-    const RigidJoint& spring = rigid_[static_cast<std::size_t>(i)];
-    if (spring.is_link) {
-      springs_.row(i) = actual_.link_motion(spring.of).transpose();
-    } else {
-      springs_(i, robot_.tree.base_velocity_size() + static_cast<Index>(spring.of) - 1) = 1.0;
-    }
-  }
+/// Eq. (10).
+void TaskFrame::let_springs_turn(const VectorXd& rates) {
+  rigid_velocity_ =
+      velocity_ + rigid_.moved(springs_, contacts_, VectorXd(rates - springs_ * velocity_));
 }
 
-/// Eq. (9).
-void TaskFrame::take_springs_out() {
-  rigid_velocity_ = velocity_;
-  if (springs_.rows() == 0 || undriven_.empty()) return;
-  const VectorXd change = least_move(springs_(Eigen::all, undriven_), -(springs_ * velocity_));
-  rigid_velocity_(undriven_) += change;
-  const Index base = robot_.tree.base_velocity_size();
-  if (base == 0 || contacts_.jacobian.rows() == 0) return;
-  rigid_velocity_.head(base) += least_move(contacts_.jacobian.leftCols(base),
-                                           -(contacts_.jacobian(Eigen::all, undriven_) * change));
+/// Eq. (10).
+bool TaskFrame::straighten_springs() {
+  if (rigid_.size() == 0) return true;
+  const VectorXd wanted = rigid_.places(wanted_);
+  for (int step = 0; step < kMostSteps; ++step) {
+    const VectorXd off = wanted - rigid_.places(actual_);
+    if (off.cwiseAbs().maxCoeff() <= kStraight) break;
+    const VectorXd way =
+        rigid_.moved(rigid_.rates(actual_), contact_rows(robot_, actual_.state(), touches_), off);
+    dynamics::step_position(robot_.tree, VectorXd(position_), way, 1.0, position_);
+    if (!actual_.set(position_, velocity_)) return false;
+  }
+  return true;
 }
 
 /// Moves the observed robot, eq. (1).

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hopper/tracking/contact_rows.hpp"
+#include "hopper/tracking/operational/rigid_springs.hpp"
 #include "hopper/tracking/operational/tasks.hpp"
 #include "hopper/tracking/reference.hpp"
 #include "robot/model/whole_body.hpp"
@@ -29,13 +30,18 @@ struct TaskRows {
 class TaskFrame {
  public:
   /// The robot must outlive it. `rigid`: springs that count as rigid.
-  explicit TaskFrame(const Robot& robot, std::vector<RigidJoint> rigid = {});
+  explicit TaskFrame(const Robot& robot, const std::vector<RigidJoint>& rigid = {});
 
   /// Sets the wanted and the observed state; the latter is turned about the vertical as the former
   /// faces and moved so that its feet that are to touch (in flight its centre of mass) lie where
-  /// those of the motion do. False where a mechanism does not reach one of them.
+  /// those of the motion do, rigid springs as the motion has them. False where a mechanism does not
+  /// reach one of them.
   [[nodiscard]] bool set(const ReferenceInstant& wanted, const TouchingPoints& touches,
                          const Eigen::VectorXd& position, const Eigen::VectorXd& velocity);
+
+  /// Lets rigid springs turn at these rates (springs x 1) in rigid_velocity(), where they rest
+  /// else.
+  void let_springs_turn(const Eigen::VectorXd& rates);
 
   /// Rows of the tasks that are active while these points touch.
   void rows(const std::vector<OperationalTask>& tasks, TaskRows& out);
@@ -43,7 +49,7 @@ class TaskFrame {
   WholeBody& body() { return actual_; }
   const Eigen::VectorXd& velocity() const { return velocity_; }
   /// The velocity that the robot would have if rigid springs did not move: its drives', and the
-  /// base's with which the points that touch move as they do, eq. (9).
+  /// base's with which the points that touch move as they do, eq. (10).
   const Eigen::VectorXd& rigid_velocity() const { return rigid_velocity_; }
   /// Rates of the rigid springs (springs x n).
   const Eigen::MatrixXd& springs() const { return springs_; }
@@ -74,12 +80,10 @@ class TaskFrame {
   Eigen::MatrixXd center_jacobian(const Eigen::MatrixXd& mass) const;
   Eigen::Vector3d center_acceleration(const Eigen::VectorXd& force) const;
   void place_feet();
-  void hold_springs();
-  void take_springs_out();
+  bool straighten_springs();
 
   const Robot& robot_;
-  std::vector<RigidJoint> rigid_;
-  std::vector<Eigen::Index> undriven_;  ///< Rows of joints without a drive.
+  RigidSprings rigid_;
   WholeBody actual_, wanted_;
   ContactRows contacts_;
   Eigen::MatrixXd springs_;

@@ -50,7 +50,10 @@ struct OperationalTasks {
   std::vector<OperationalTask> tasks;
   std::vector<RigidJoint> rigid;
   double contact_weight = 1000.0;  ///< Of accelerations of points that are to stand.
-  double contact_time_s = 0.05;    ///< In which such points and rigid springs come to rest.
+  double contact_time_s = 0.05;    ///< In which such points come to rest.
+  /// Time constant of the low-pass through which rates of rigid springs are fed back; 0: they are
+  /// not.
+  double rigid_rate_time_s = 0.0;
   /// Price of each drive's peak torque, as a residual of so many m/s^2 of weight 1, and of the
   /// robot's weight as a force on a contact.
   double effort_weight = 0.01;

@@ -46,6 +46,7 @@ class TasksReader {
     }
     all.contact_weight = root.value("contact_weight", all.contact_weight);
     all.contact_time_s = root.value("contact_time_s", all.contact_time_s);
+    all.rigid_rate_time_s = root.value("rigid_rate_time_s", all.rigid_rate_time_s);
     all.effort_weight = root.value("effort_weight", all.effort_weight);
     all.friction_share = root.value("friction_share", all.friction_share);
     if (!faults_.empty()) throw io::SpecError(std::move(faults_));

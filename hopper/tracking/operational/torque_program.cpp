@@ -95,9 +95,9 @@ void TorqueProgram::price(TaskFrame& frame, const TaskRows& rows, const VectorXd
   program_.rows.setZero(springs + others, unknowns);
   program_.lower.setConstant(springs + others, -kUnbounded);
   program_.upper.setConstant(springs + others, kUnbounded);
-  // Rigid springs neither turn nor begin to.
+  // Rigid springs do not begin to turn; that they turn at all is not seen.
   program_.rows.topRows(springs) = held * effect_;
-  program_.lower.head(springs) = -held * (free_ + velocity / tasks_.contact_time_s);
+  program_.lower.head(springs) = -held * free_;
   program_.upper.head(springs) = program_.lower.head(springs);
 }
 

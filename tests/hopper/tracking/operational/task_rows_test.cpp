@@ -23,6 +23,8 @@ using Eigen::Index;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
+constexpr double kBent_rad = 1e-3;
+
 TouchingPoints points(const Robot& robot, bool touch) {
   return TouchingPoints::Constant(static_cast<Index>(robot.contacts.size()), touch);
 }
@@ -82,6 +84,10 @@ class TaskRowsOf : public testing::TestWithParam<const char*> {
       out << center, moving.segment<3>(3), point, moving[first];
     }
     return out;
+  }
+
+  Index place_of(std::size_t joint) const {
+    return position.size() - static_cast<Index>(robot.tree.bodies.size() - joint);
   }
 
   Robot robot = test::robot_of(GetParam());
@@ -168,7 +174,11 @@ TEST_P(TaskRowsOf, TakeOutTheRatesOfRigidSprings) {
   const std::vector<std::size_t> loose = robot.drivetrains.front().joints;
   robot.drivetrains.erase(robot.drivetrains.begin());
   std::vector<RigidJoint> rigid;
-  for (const std::size_t joint : loose) rigid.push_back({.is_link = false, .of = joint});
+  for (const std::size_t joint : loose) {
+    rigid.push_back({.is_link = false, .of = joint});
+    const Index at = place_of(joint);
+    wanted.position[at] = position[at];  // there is nothing to straighten
+  }
   TaskFrame frame(robot, rigid);
   ASSERT_TRUE(frame.set(wanted, points(robot, true), position, velocity));
   const Index base = robot.tree.base_velocity_size();
@@ -189,6 +199,36 @@ TEST_P(TaskRowsOf, TakeOutTheRatesOfRigidSprings) {
   without.rows(tasks(), loosely);
   EXPECT_LE((held.rate_error - loosely.rate_error + held.jacobian * change).norm(), 1e-12);
   EXPECT_GT((held.rate_error - loosely.rate_error).norm(), 0.01);
+}
+
+// What is seen of a robot with bent springs is one whose springs stand as the motion has them,
+// whose drives stand as they do, and whose foot, one body, has not moved but as a whole.
+TEST_P(TaskRowsOf, SeeRigidSpringsAsTheMotionHasThem) {
+  const std::vector<std::size_t> loose = robot.drivetrains.front().joints;
+  robot.drivetrains.erase(robot.drivetrains.begin());
+  std::vector<RigidJoint> rigid;
+  for (const std::size_t joint : loose) {
+    rigid.push_back({.is_link = false, .of = joint});
+    position[place_of(joint)] = wanted.position[place_of(joint)] + kBent_rad;
+  }
+  TaskFrame frame(robot, rigid);
+  ASSERT_TRUE(frame.set(wanted, points(robot, true), position, velocity));
+  for (std::size_t joint = 1; joint < robot.tree.bodies.size(); ++joint) {
+    const bool is_spring = std::find(loose.begin(), loose.end(), joint) != loose.end();
+    const Index at = place_of(joint);
+    EXPECT_NEAR(frame.body().state().joint_position(joint),
+                is_spring ? wanted.position[at] : position[at], 1e-9);
+  }
+  const AlignedError seen = aligned_error(robot.tree, wanted, position, velocity);
+  WholeBody bent(robot);
+  ASSERT_TRUE(bent.set(seen.position, seen.velocity));
+  const auto way = [&](const WholeBody& body) {
+    return Vector3d(dynamics::point_position_m(body.state(), robot.contacts.back().point) -
+                    dynamics::point_position_m(body.state(), robot.contacts.front().point));
+  };
+  // The base makes up for them to the first order.
+  EXPECT_LE((way(frame.body()) - way(bent)).norm(), 10.0 * kBent_rad * kBent_rad);
+  if (robot.contacts.size() > 1) EXPECT_GT(way(bent).norm(), 0.05);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, TaskRowsOf, testing::Values("hopper.json", "planar_leg.json"),
