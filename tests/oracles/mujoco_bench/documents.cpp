@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <fstream>
 #include <stdexcept>
 
 #include "tests/oracles/mujoco_bench/balance.hpp"
+#include "tests/oracles/mujoco_bench/plant.hpp"
 
 namespace torquewright::oracles::mujoco_bench {
 namespace {
@@ -107,6 +109,9 @@ Json truth_document(const Situation& it, std::uint64_t seed) {
     json["outside"] = {{"kind", it.missing.front().name},
                        {"coordinates", it.outside_coordinates},
                        {"parameters", it.missing.front().parameters}};
+  const bool plays = std::any_of(it.missing.begin(), it.missing.end(),
+                                 [](const auto& each) { return each.name == "backlash"; });
+  if (plays) json["flank_stiffness_Nm_rad"] = flank_stiffness_Nm_rad(it.bench.world);
   json["note"] = it.note;
   return json;
 }

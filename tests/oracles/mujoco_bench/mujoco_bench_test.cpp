@@ -82,6 +82,19 @@ TEST(MujocoPlant, TurnsFreelyWithinTheGap) {
   EXPECT_NEAR(now.rotor_position_rad - now.position_rad, 0.01, 1e-5);
 }
 
+// Closed form: a torque twists the flanks by itself over the stiffness that the truth states,
+// beyond half the gap, once the rotor's swing has died.
+TEST(MujocoPlant, FlanksGiveAsTheTruthStates) {
+  World world;
+  world.load = {.type = "free", .inertia_kg_m2 = 1e9};
+  put_on(world, {"backlash", {{"gap_rad", 0.02}}});
+  Plant plant(world, 0, 0, 5e-5);
+  Motion now;
+  for (int k = 0; k < 20000; ++k) now = plant.step({.motor_torque_Nm = 0.5});
+  const double twist_rad = now.rotor_position_rad - now.position_rad - 0.01;
+  EXPECT_NEAR(twist_rad * flank_stiffness_Nm_rad(world), 0.5, 1e-4);
+}
+
 // Closed form of Dahl's law: towards c (1 - exp(-k x / c)) from rest, whatever the steps.
 TEST(MujocoLaws, DahlIsExactInAnySteps) {
   double force = 0;

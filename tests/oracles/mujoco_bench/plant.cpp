@@ -67,8 +67,7 @@ std::string output_joint(const World& world, double own_armature, double inertia
 std::string rotor_and_shaft(const World& world, double armature_kg_m2, std::string& tendon) {
   const Laws& laws = world.laws;
   const bool plays = laws.gap_rad > 0;
-  const double stiffness =
-      plays ? armature_kg_m2 * kFlank_rad_s * kFlank_rad_s : laws.stiffness_Nm_rad;
+  const double stiffness = plays ? flank_stiffness_Nm_rad(world) : laws.stiffness_Nm_rad;
   tendon = fmt::format(
       R"(<tendon><fixed stiffness="{}" springlength="0" damping="{}">)"
       R"(<joint joint="rotor" coef="1"/><joint joint="output" coef="-1"/></fixed></tendon>)",
@@ -107,6 +106,10 @@ mjModel* read(const std::string& text) {
 }
 
 }  // namespace
+
+double flank_stiffness_Nm_rad(const World& world) {
+  return armature(world) * kFlank_rad_s * kFlank_rad_s;
+}
 
 Plant::Plant(const World& world, double bench_inertia_kg_m2, double payload_share, double step_s)
     : world_(world),

@@ -28,6 +28,9 @@ struct Motion {
   double load_torque_Nm = 0;
 };
 
+/// Of the flanks of a gear with play, at the output: the plant has it beside its gap.
+double flank_stiffness_Nm_rad(const World& world);
+
 /// Rotor, gear, and load as MuJoCo's bodies: one joint with the rotor as its armature, or, with
 /// play or compliance, two joints and a tendon that is a spring, its rest moved through the gap.
 ///
