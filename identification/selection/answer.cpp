@@ -345,7 +345,7 @@ EquationResult answer(const Bench& bench, const Log& log, const ForwardEquation&
   const Rows rows(held.rows, fold_of_run,
                   {band != options.band_Hz.end()
                        ? band->second
-                       : telling_band_Hz(without_instants(equation), held, fold_of_run)});
+                       : telling_band_Hz(with_instants(equation, 0), held, fold_of_run)});
   result.band_Hz = rows.options().cutoff_Hz;
   if (rows.training_blocks() < kLeastTrainingBlocks) {
     result.unusable =

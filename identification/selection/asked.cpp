@@ -50,9 +50,24 @@ double telling_band_Hz(const ForwardEquation& equation, const HeldSignals& held,
 std::unique_ptr<Asked> searched(const ForwardEquation& equation, const Rows& rows,
                                 const std::vector<Signals>& replica, const SearchRules& rules,
                                 bool select) {
-  auto asked = std::make_unique<Asked>(equation, rows, replica, rules);
-  asked->found = select ? asked->search.run() : asked->search.nothing();
-  return asked;
+  std::size_t free = 0;
+  for (;;) {
+    const ForwardEquation asked_one = with_instants(equation, free);
+    const ModelFitter fitter(asked_one, rows, replica);
+    std::size_t needed = free;
+    const auto shows = [&](const ModelFit& model) {
+      needed = instants_that_show(equation, free, fitter, replica, rules, model);
+      return needed > free;
+    };
+    if (!shows(fitter.fit({}, fitter.always_start()))) {
+      SearchRules leaving = rules;
+      leaving.ends_at = shows;
+      auto asked = std::make_unique<Asked>(asked_one, rows, replica, leaving);
+      asked->found = select ? asked->search.run() : asked->search.nothing();
+      if (!asked->found.is_left) return asked;
+    }
+    free = needed;
+  }
 }
 
 }  // namespace torquewright::identification

@@ -30,7 +30,9 @@ struct Asked {
   Found found;
 };
 
-/// Searches an equation; without `select` the stated model alone.
+/// Searches an equation without the instants of its samples: a search with more values that are
+/// free goes other ways. Where one shows beside any model on the way, a large effect having hidden
+/// it before, all is asked once more with it free. Without `select` the stated model alone.
 std::unique_ptr<Asked> searched(const ForwardEquation& equation, const Rows& rows,
                                 const std::vector<Signals>& replica, const SearchRules& rules,
                                 bool select);

@@ -534,6 +534,8 @@ Found Search::run() {
     }
     if (next == nullptr || is_refuted(*next, *model) || !seen.insert(next).second) break;
     model = next;
+    found.is_left = rules_.ends_at && rules_.ends_at(*model);
+    if (found.is_left) return found;
   }
   settle(*model, found);
   found.silent = first_.silent;

@@ -41,6 +41,9 @@ struct SearchRules {
   double steady_parts = 0.75;  ///< Share of the parts in which it then helps, at least.
   /// Returns whether an effect is searched for; empty: all are.
   std::function<bool(const std::string& effect)> asks;
+  /// Returns whether a search ends at a model that it has taken, its question being another one
+  /// (Found::is_left). May be empty.
+  std::function<bool(const ModelFit& model)> ends_at;
   /// Called before each fit. May throw to end the search. May be empty.
   std::function<void()> before_each_fit;
 };
@@ -67,6 +70,7 @@ struct Found {
   /// The log turned one way: no wave of friction was searched for, since it is one of torque there.
   bool turned_one_way = false;
   std::vector<Refusal> refused;
+  bool is_left = false;  ///< SearchRules::ends_at ended it; nothing else holds then.
   std::shared_ptr<std::deque<EffectCandidate>> waves;  ///< Waves that members point to.
 };
 
