@@ -228,7 +228,9 @@ TEST_P(TaskRowsOf, SeeRigidSpringsAsTheMotionHasThem) {
   };
   // The base makes up for them to the first order.
   EXPECT_LE((way(frame.body()) - way(bent)).norm(), 10.0 * kBent_rad * kBent_rad);
-  if (robot.contacts.size() > 1) EXPECT_GT(way(bent).norm(), 0.05);
+  if (robot.contacts.size() > 1) {
+    EXPECT_GT(way(bent).norm(), 0.05);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, TaskRowsOf, testing::Values("hopper.json", "planar_leg.json"),
