@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -30,6 +31,13 @@ bool is_angle(Quantity quantity) {
 
 bool is_position(Quantity quantity) {
   return is_angle(quantity) || quantity == Quantity::kLinearPosition;
+}
+
+/// What programs write where they have no number: nan, NaN, -nan(ind).
+bool is_nan(std::string_view text) {
+  double value = 0.0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  return read.ec == std::errc() && read.ptr == text.data() + text.size() && std::isnan(value);
 }
 
 }  // namespace
@@ -170,7 +178,8 @@ bool LogReader::repeats_row() const {
 }
 
 std::optional<double> LogReader::cell(const Source& source) const {
-  if (csv_->text(source.column).empty()) return std::nullopt;
+  const std::string_view text = csv_->text(source.column);
+  if (text.empty() || is_nan(text)) return std::nullopt;
   return csv_->number(source.column) * source.scale + source.offset;
 }
 

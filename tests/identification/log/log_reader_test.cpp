@@ -253,8 +253,8 @@ TEST(ReadLog, RefusesWithThePlace) {
   const auto refusal = [](const std::string& text, const nlohmann::json& rig) {
     return read({{"m.csv", text}}, rig).refusal;
   };
-  EXPECT_EQ(refusal("t,q\n0,1\n1,nan\n", kPlain),
-            "m.csv: line 3, column 2 (q): \"nan\" is not a finite number");
+  EXPECT_EQ(refusal("t,q\n0,1\nnan,2\n", kPlain),
+            "m.csv: line 3, column 1 (t): \"nan\" is not a finite number");
   EXPECT_EQ(refusal("t,q\n0,1\n1,-inf\n", kPlain),
             "m.csv: line 3, column 2 (q): \"-inf\" is not a finite number");
   EXPECT_EQ(refusal("t,q\n1,1\n1,2\n1,3\n", kPlain),
