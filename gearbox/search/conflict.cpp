@@ -57,7 +57,8 @@ Trial try_without(const Problem& problem, const Names& names, std::int64_t max_b
 }
 
 std::string teeth_text(const Design& design) {
-  return fmt::format("{} with n = {}", fmt::join(design.teeth, "/"), design.planet_count);
+  return fmt::format("{} with {} planet{}", fmt::join(design.teeth, "/"), design.planet_count,
+                     design.planet_count == 1 ? "" : "s");
 }
 
 // Constraints are dropped one after the other, the geometric ones first and those that a user sets

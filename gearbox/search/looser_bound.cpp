@@ -138,11 +138,12 @@ double four_digits(double value, bool is_minimum, bool is_strict) {
 
 std::string sentence(const LooserBound& bound, bool is_minimum) {
   const std::string unit = bound.unit.empty() ? "" : " " + bound.unit;
-  return fmt::format("{} = {:g}{} is too {}: {:.4g}{} would do ({} with n = {}, module {:g} mm).",
-                     bound.key.substr(1), bound.limit, unit, is_minimum ? "much" : "little",
-                     four_digits(bound.needed, is_minimum, must_be_exceeded(bound.key)), unit,
-                     fmt::join(bound.design.teeth, "/"), bound.design.planet_count,
-                     io::nearest(bound.design.module_mm));
+  return fmt::format(
+      "{} = {:g}{} is too {}: {:.4g}{} would do ({} with {} planets, module {:g} mm).",
+      bound.key.substr(1), bound.limit, unit, is_minimum ? "much" : "little",
+      four_digits(bound.needed, is_minimum, must_be_exceeded(bound.key)), unit,
+      fmt::join(bound.design.teeth, "/"), bound.design.planet_count,
+      io::nearest(bound.design.module_mm));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST(Floors, AreNamedProvedAndLoosened) {
             std::string::npos)
       << found.out;
   EXPECT_NE(found.out.find("\n  min_backward_efficiency = 0.96 is too much: 0.9552 would do "
-                           "(44/44/32/132/120 with n = 4, module 0.6 mm).\n"),
+                           "(44/44/32/132/120 with 4 planets, module 0.6 mm).\n"),
             std::string::npos)
       << found.out;
   EXPECT_NE(found.out.find("\naccepted: "), std::string::npos) << found.out;

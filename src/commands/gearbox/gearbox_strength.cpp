@@ -39,11 +39,12 @@ struct StrengthOptions {
 };
 
 // A range lets NaN pass, and torques of exactly 0 load nothing.
-void check_numbers(const std::vector<double>& numbers, const char* option, double least,
-                   double greatest) {
+void check_numbers(const std::vector<double>& numbers, const char* option, const char* unit,
+                   double least, double greatest) {
   for (const double number : numbers) {
     if (number >= least && number <= greatest) continue;
-    io::refuse(option, fmt::format("{} must be from {:g} to {:g}", number, least, greatest));
+    io::refuse(option, fmt::format("{} {} must be from {:g} to {:g} {}", number, unit, least,
+                                   greatest, unit));
   }
 }
 
@@ -61,9 +62,9 @@ void check_rows(const StrengthOptions& options) {
 }
 
 void check_options(const StrengthOptions& options, const gearbox::ReadStrength& read) {
-  check_numbers(options.torques_Nm, "--torque", 1e-6, 1e6);
-  check_numbers(options.face_widths_mm, "--face-widths", 0.05, 1000.0);
-  check_numbers(options.modules_mm, "--modules", 0.05, 25.0);
+  check_numbers(options.torques_Nm, "--torque", "Nm", 1e-6, 1e6);
+  check_numbers(options.face_widths_mm, "--face-widths", "mm", 0.05, 1000.0);
+  check_numbers(options.modules_mm, "--modules", "mm", 0.05, 25.0);
   check_rows(options);
   const gearbox::GearTrain& train = read.strength.train;
   const bool is_stage = gearbox::find_topology(train.topology)->largest_of_same_ratio != nullptr;
