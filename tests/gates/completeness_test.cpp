@@ -253,7 +253,7 @@ struct NamingKey {
 /// Its own, and those of the checks that a replay uses.
 Names replay_rules() {
   Names rules = rules_in({"hopper/replay", "hopper/replay_report", "hopper/skill"});
-  rules.insert({"assumed", "battery-charge", "transmission-load"});
+  rules.insert({"assumed", "battery-charge", "joint-speed", "joint-torque", "transmission-load"});
   return rules;
 }
 
