@@ -6,12 +6,27 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "robot/xml/vocabulary.hpp"
 
 namespace torquewright::hopper {
 namespace {
+
+/// Ranges between these are those of joints in degrees: no arm turns more than four times, and who
+/// writes thousands means none.
+constexpr double kMostTurns = 4.0;
+constexpr double kMeansNone_rad = 1000.0;
+
+double turns_of(const dynamics::JointLimits& limits) {
+  return (limits.position_max - limits.position_min) / (2.0 * std::numbers::pi);
+}
+
+bool seems_in_degrees(const dynamics::Joint& joint) {
+  return joint.kind == dynamics::JointKind::kRevolute && turns_of(joint.limits) > kMostTurns &&
+         joint.limits.position_max - joint.limits.position_min < kMeansNone_rad;
+}
 
 bool states(const Element& limit, const char* one, const char* other) {
   return find_attribute(limit, one) != nullptr || find_attribute(limit, other) != nullptr;
@@ -57,6 +72,12 @@ void UrdfLimits::read_range(const Element& limit, DraftBody& draft) {
   limits.position_min = lower;
   limits.position_max = upper;
   if (lower == upper) weld(is_stated, draft);
+  const dynamics::Joint& joint = draft.body.joint;
+  if (!seems_in_degrees(joint)) return;
+  wide_.push_back(
+      fmt::format("joint \"{}\" ranges from {:g} to {:g} rad, {:.3g} turns: degrees? URDF "
+                  "has radians",
+                  joint.name, lower, upper, turns_of(limits)));
 }
 
 /// Zero stands for "not known" in most files.
@@ -87,6 +108,7 @@ void UrdfLimits::weld(bool is_stated, DraftBody& draft) {
 
 std::vector<std::string> UrdfLimits::notes() const {
   std::vector<std::string> notes = welded_;
+  notes.insert(notes.end(), wide_.begin(), wide_.end());
   for (const auto& [word, joints] :
        {std::pair{"effort", &without_effort_}, {"velocity", &without_speed_}}) {
     if (joints->empty()) continue;

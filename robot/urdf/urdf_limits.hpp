@@ -24,7 +24,7 @@ class UrdfLimits {
   /// Of a joint that ranges are for, and that has no <limit>.
   void read_none(DraftBody& draft);
 
-  /// Which joints were welded or freed, or state limits of 0, in sentences.
+  /// Which joints were welded or freed, state limits of 0, or seem to state degrees, in sentences.
   std::vector<std::string> notes() const;
 
  private:
@@ -34,7 +34,7 @@ class UrdfLimits {
 
   bool welds_locked_;
   Faults* faults_;
-  std::vector<std::string> welded_;                          ///< Sentences.
+  std::vector<std::string> welded_, wide_;                   ///< Sentences.
   std::vector<std::string> freed_;                           ///< Names, as the following.
   std::vector<std::string> without_effort_, without_speed_;  ///< That state it as 0.
 };

@@ -554,6 +554,21 @@ TEST(UrdfJoints, WithoutARangeMoveFreelyUnlessTheyAreToBeWelds) {
   EXPECT_NE(said.find("--weld-locked holds them at zero): j\n"), std::string::npos) << said;
 }
 
+// Oracle: a range of half a turn, written in degrees; ranges of arms, slides and of none.
+TEST(UrdfJoints, WhoseRangeSeemsInDegreesAreAskedAbout) {
+  const auto is_asked = [](const std::string& type, const std::string& end) {
+    const std::string limit = "<limit lower='-" + end + "' upper='" + end + "'/>";
+    const std::string notes = all_of(
+        urdf(kArm + "<joint name='j' type='" + type + "'>" + kEnds + limit + "</joint>").notes);
+    return notes.find("28.6 turns: degrees?") != std::string::npos;
+  };
+  EXPECT_TRUE(is_asked("revolute", "90"));
+  EXPECT_FALSE(is_asked("prismatic", "90"));
+  for (const char* end : {"3.14", "6.2832", "10000", "3.4e38"}) {
+    EXPECT_FALSE(is_asked("revolute", end)) << end;
+  }
+}
+
 // Oracle: the schema's bounds, just inside and just outside.
 TEST(UrdfJoints, WhoseLimitsNoDocumentHoldsHaveNone) {
   const auto ends = [](const std::string& lower, const std::string& upper) {
