@@ -44,6 +44,8 @@ TrainingOptions training_options(int threads) {
   return options;
 }
 
+// Oracle: what it does before it has learned, which is as long for every seed: 0.96 to 0.98 s of
+// six. Of these the last ten iterations are up for 1.23 to 1.46 s; single ones go up and down.
 TEST(Training, LearnsToStayUpForLonger) {
   Training training(stay_up(), training_options(1));
   double first_s = 0.0, last_s = 0.0;
@@ -51,10 +53,10 @@ TEST(Training, LearnsToStayUpForLonger) {
   for (int i = 0; i < kIterations; ++i) {
     const TrainingProgress at = training.iterate();
     if (i >= 1 && i < 6) first_s += at.duration_s / 5.0;
-    if (i >= kIterations - 5) last_s += at.duration_s / 5.0;
+    if (i >= kIterations - 10) last_s += at.duration_s / 10.0;
   }
-  EXPECT_LT(first_s, 1.1);
-  EXPECT_GT(last_s, 1.3);
+  EXPECT_LT(first_s, 1.0);
+  EXPECT_GT(last_s, 1.1);
   EXPECT_TRUE(training.best());
 }
 
