@@ -104,7 +104,7 @@ gearbox::ReadStrength read_file(const StrengthOptions& options) {
     refuse_options_of_results(options);
     return gearbox::strength_of(std::move(document));
   }
-  check_numbers(options.face_width_mm, "--face-width", 0.05, 1000.0);
+  check_numbers(options.face_width_mm, "--face-width", "mm", 0.05, 1000.0);
   gearbox::ResultStrengthOptions wanted;
   wanted.steel = options.steel;
   wanted.face_width_mm = options.face_width_mm;
