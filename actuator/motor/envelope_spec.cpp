@@ -353,7 +353,7 @@ class EnvelopeReader {
                          bound->front().speed_rad_s));
       return std::nullopt;
     }
-    const EnvelopeCurve curve = completed(std::move(greatest), std::move(least));
+    const EnvelopeCurve curve = completed(std::move(greatest), least);
     return is_region(curve) ? std::optional(curve) : std::nullopt;
   }
 
